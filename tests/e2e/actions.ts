@@ -64,6 +64,14 @@ export async function countActions(page: Page): Promise<void> {
   });
 }
 
+/** Begins to count again. */
+export async function forgetActions(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const { countedActions } = window as unknown as { readonly countedActions?: object };
+    if (countedActions) Object.assign(countedActions, { actions: 0, typingIn: null });
+  });
+}
+
 /** Relative difference from the stated number: on a busy machine, a text that is typed may be counted as two. */
 const tolerance = 0.1;
 

@@ -3,6 +3,7 @@ import { expect, type Locator, type Page } from "@playwright/test";
 import { inflateSync } from "node:zlib";
 import { readProject, type Project } from "tetrafront/project";
 import { generateButton, tab } from "./controls";
+import { isLoaded, usualSize } from "./shared-page";
 
 /** Number of tetrahedra and fingerprint of the app's mesh, as stored in attributes of the page. */
 export interface MeshState {
@@ -38,7 +39,8 @@ export class AppPage {
   }
 
   /** Opens the app with a model, by default the opening one, and waits for its mesh. */
-  async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
+  async open(scheme: "auto" | "dark" | "light" = "dark", model?: string): Promise<MeshState> {
+    if (isLoaded(this.page)) return this.#openAgain(model ?? "engine-intake");
     await this.page.addInitScript((scheme) => {
       localStorage.setItem("mantine-color-scheme-value", scheme);
       // The start page covers a part of the view.
@@ -54,6 +56,64 @@ export class AppPage {
   /** Opens the app with the smallest model. */
   async openCube(): Promise<MeshState> {
     return this.open("dark", "unit-cube");
+  }
+
+  /** Opens an example in the app of an earlier test. */
+  async #openAgain(model: string): Promise<MeshState> {
+    const size = this.page.viewportSize();
+    // Without points between two documents, the second one cannot be taken for the first.
+    await this.#empty();
+    await tab(this.page, "Examples").click();
+    await this.page.getByTestId(`example-${model}`).click();
+    await expect(this.viewport).not.toHaveAttribute("data-points", "0");
+    const state = await this.meshed();
+    await this.tidy();
+    await this.#resize(size);
+    return state;
+  }
+
+  /** Opens an empty project in the app of an earlier test. Returns whether there is such an app. */
+  async openEmptyAgain(): Promise<boolean> {
+    if (!isLoaded(this.page)) return false;
+    const size = this.page.viewportSize();
+    await this.#empty();
+    await this.#resize(size);
+    return true;
+  }
+
+  async #resize(size: { readonly width: number; readonly height: number } | null): Promise<void> {
+    if (!size || (size.width === usualSize.width && size.height === usualSize.height)) return;
+    await this.page.setViewportSize(size);
+    await this.rest();
+  }
+
+  async #empty(): Promise<void> {
+    await this.tidy();
+    await this.page.getByRole("menuitem", { name: "File", exact: true }).click();
+    await this.page.getByRole("menuitem", { name: "New project" }).click();
+    await expect(this.viewport).toHaveAttribute("data-points", "0");
+    await expect(this.viewport).toHaveAttribute("data-busy", "false");
+    await this.page.keyboard.press("0");
+  }
+
+  /** Closes what is open over the page, and shows the tabs that a new page shows, in a window of the usual size. */
+  async tidy(): Promise<void> {
+    await this.page.setViewportSize(usualSize);
+    for (let i = 0; i < 5 && (await this.page.locator("[role=dialog], [role=menu]").count()) > 0; i++) {
+      await this.page.keyboard.press("Escape");
+      await this.page.waitForTimeout(50);
+    }
+    await this.page.mouse.move(0, 0);
+    await this.page.getByTestId("viewport-canvas").focus();
+    for (let i = 0; i < 3; i++) await this.page.keyboard.press("Escape");
+    await this.page.evaluate(() => {
+      for (const button of document.querySelectorAll<HTMLElement>(
+        "[data-testid^=notice-] [aria-label=Dismiss]",
+      ))
+        button.click();
+      for (const tab of document.querySelectorAll<HTMLElement>("[role=tab][aria-selected=false]"))
+        if (/^(Model|Inspector|Log)$/.test(tab.textContent)) tab.click();
+    });
   }
 
   /** Where a position appears on the page. */
@@ -130,22 +190,24 @@ export class AppPage {
     await this.page.getByTestId(testId).press("Enter");
   }
 
-  /** Returns a picture of the view at rest: edges become smooth some time after the last motion. */
+  /** Returns a picture of the view at rest: edges become smooth in a frame of its own, some time after the last motion. */
   async stillView(): Promise<Buffer> {
-    let picture = await this.viewport.screenshot();
-    let same = 0;
-    await expect
-      .poll(
-        async () => {
-          const before = picture;
-          picture = await this.viewport.screenshot();
-          same = picture.equals(before) ? same + 1 : 0;
-          return same;
-        },
-        { intervals: [250] },
-      )
-      .toBeGreaterThanOrEqual(3);
-    return picture;
+    await this.rest();
+    return this.viewport.screenshot();
+  }
+
+  /** Waits until the view has drawn nothing for longer than it waits before it draws sharply. */
+  async rest(): Promise<void> {
+    await this.viewport.evaluate(async (view) => {
+      let frames = view.dataset["frames"];
+      for (let looks = 0; looks < 6; ++looks) {
+        await new Promise((next) => setTimeout(next, 100));
+        await new Promise((next) => requestAnimationFrame(next));
+        if (view.dataset["frames"] === frames) continue;
+        frames = view.dataset["frames"];
+        looks = 0;
+      }
+    });
   }
 
   async generate(): Promise<MeshState> {

@@ -11,6 +11,7 @@ import { AppPage } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
 import { generateButton, redoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
 const surface = plateSurface(plate);
@@ -27,7 +28,7 @@ async function openPlate(page: Page, fileName = "plate.stl"): Promise<AppPage> {
 const previewed = (page: Page): Promise<void> =>
   expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
 
-test("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page }) => {
+sharedTest("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page }) => {
   const app = await openPlate(page);
   await expect(page.getByTestId("project-name")).toBeHidden();
   await expect(page.getByTestId("entity-name")).toHaveValue("plate");
@@ -150,32 +151,35 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   await expect(repairs.getByTestId("repaired-flipped-triangle")).toHaveText("1 triangle flipped");
 });
 
-test("dropped details are listed and shown, and problems name the controls of the app", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await dropBytes(page, stlBinary(steppedBlock(0.004)), "step.stl");
-  await previewed(page);
-  await expect(page.getByTestId("dropped-details")).toBeHidden();
-  await page.getByTestId("remeshing-options").getByText("Remeshing options").click();
-  await page.getByTestId("remeshing-dropDetails").fill("0.01");
-  await page.getByTestId("remeshing-dropDetails").press("Enter");
-  await page.getByTestId("body-preview-make").click();
-  await previewed(page);
-  await expect(page.getByTestId("dropped-details")).toHaveText(/^\d+ details dropped$/);
-  await expect(page.getByTestId("prepared-warning")).toContainText("because details were dropped");
-  await page.getByTestId("dropped-details").click();
-  const before = await app.viewport.screenshot();
-  await page.getByRole("button", { name: "Detail 1", exact: true }).click();
-  await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
-  await page.getByTestId("body-treatment").getByText("Keep", { exact: true }).click();
-  const needles = page.locator("[data-code=needle-surface]").first();
-  await expect(needles).toContainText("Select Remesh for the body");
-  await app.generate();
-  await expect(page.getByTestId("log")).toContainText("Select Remesh for bodies with needles");
-  await expect(page.getByText(/--surface|remeshSurface/)).toHaveCount(0);
-});
+sharedTest(
+  "dropped details are listed and shown, and problems name the controls of the app",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await dropBytes(page, stlBinary(steppedBlock(0.004)), "step.stl");
+    await previewed(page);
+    await expect(page.getByTestId("dropped-details")).toBeHidden();
+    await page.getByTestId("remeshing-options").getByText("Remeshing options").click();
+    await page.getByTestId("remeshing-dropDetails").fill("0.01");
+    await page.getByTestId("remeshing-dropDetails").press("Enter");
+    await page.getByTestId("body-preview-make").click();
+    await previewed(page);
+    await expect(page.getByTestId("dropped-details")).toHaveText(/^\d+ details dropped$/);
+    await expect(page.getByTestId("prepared-warning")).toContainText("because details were dropped");
+    await page.getByTestId("dropped-details").click();
+    const before = await app.viewport.screenshot();
+    await page.getByRole("button", { name: "Detail 1", exact: true }).click();
+    await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+    await page.getByTestId("body-treatment").getByText("Keep", { exact: true }).click();
+    const needles = page.locator("[data-code=needle-surface]").first();
+    await expect(needles).toContainText("Select Remesh for the body");
+    await app.generate();
+    await expect(page.getByTestId("log")).toContainText("Select Remesh for bodies with needles");
+    await expect(page.getByText(/--surface|remeshSurface/)).toHaveCount(0);
+  },
+);
 
-test("a damaged file is rejected with its name, the reason and the remedy", async ({ page }) => {
+sharedTest("a damaged file is rejected with its name, the reason and the remedy", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await dropBytes(page, stlBinary(surface).subarray(0, 1000), "cut.stl");
@@ -185,108 +189,111 @@ test("a damaged file is rejected with its name, the reason and the remedy", asyn
   expect(await app.meshed()).toEqual(before);
 });
 
-test("patches of a body are in the tree, are renamed and picked in the view, and name the boundaries of the mesh", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const half = surface.triangles.length / 2;
-  const [lower, upper] = [surface.triangles.subarray(0, half), surface.triangles.subarray(half)];
-  const solids = [
-    stlText({ ...surface, triangles: lower }, "first"),
-    stlText({ ...surface, triangles: upper }, "second"),
-  ];
-  await dropBytes(page, Buffer.concat(solids), "two.stl");
-  await expect(page.getByTestId("body-patches")).toHaveText("2");
-  await expect(page.getByTestId("tree-body-patch-1")).toContainText("first");
-  await page.getByTestId("tree-body-patch-2").click();
-  await app.type("entity-name", "inlet");
-  await expect(page.getByTestId("tree-body-patch-2")).toContainText("inlet");
+sharedTest(
+  "patches of a body are in the tree, are renamed and picked in the view, and name the boundaries of the mesh",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const half = surface.triangles.length / 2;
+    const [lower, upper] = [surface.triangles.subarray(0, half), surface.triangles.subarray(half)];
+    const solids = [
+      stlText({ ...surface, triangles: lower }, "first"),
+      stlText({ ...surface, triangles: upper }, "second"),
+    ];
+    await dropBytes(page, Buffer.concat(solids), "two.stl");
+    await expect(page.getByTestId("body-patches")).toHaveText("2");
+    await expect(page.getByTestId("tree-body-patch-1")).toContainText("first");
+    await page.getByTestId("tree-body-patch-2").click();
+    await app.type("entity-name", "inlet");
+    await expect(page.getByTestId("tree-body-patch-2")).toContainText("inlet");
 
-  // A click on a triangle of the second solid selects its patch.
-  await page.getByTestId("tree-body-1").click();
-  await page.keyboard.press("5");
-  const nodes = [...upper.subarray(0, 3)];
-  const centroid = [0, 1, 2].map((axis) =>
-    nodes.reduce((sum, node) => sum + (surface.points[3 * node + axis] ?? 0) / 3, 0),
-  );
-  const at = await page.evaluate((position) => {
-    const { tetrafrontPosition } = window as unknown as {
-      tetrafrontPosition: (at: unknown) => { x: number; y: number };
-    };
-    return tetrafrontPosition(position);
-  }, centroid);
-  await app.viewport.click({ position: at });
-  await expect(page.getByTestId("entity-name")).toHaveValue(/inlet|first/);
+    // A click on a triangle of the second solid selects its patch.
+    await page.getByTestId("tree-body-1").click();
+    await page.keyboard.press("5");
+    const nodes = [...upper.subarray(0, 3)];
+    const centroid = [0, 1, 2].map((axis) =>
+      nodes.reduce((sum, node) => sum + (surface.points[3 * node + axis] ?? 0) / 3, 0),
+    );
+    const at = await page.evaluate((position) => {
+      const { tetrafrontPosition } = window as unknown as {
+        tetrafrontPosition: (at: unknown) => { x: number; y: number };
+      };
+      return tetrafrontPosition(position);
+    }, centroid);
+    await app.viewport.click({ position: at });
+    await expect(page.getByTestId("entity-name")).toHaveValue(/inlet|first/);
 
-  await page.getByTestId("tree-body-1").click();
-  await previewed(page);
-  await app.generate();
-  const names = parseMsh(await downloadMesh(page, /MSH 4/)).triangles.map(({ name }) => name);
-  expect(names.toSorted()).toEqual(["first", "inlet"]);
-});
+    await page.getByTestId("tree-body-1").click();
+    await previewed(page);
+    await app.generate();
+    const names = parseMsh(await downloadMesh(page, /MSH 4/)).triangles.map(({ name }) => name);
+    expect(names.toSorted()).toEqual(["first", "inlet"]);
+  },
+);
 
-test("a part with one colour: patches are split, and the mesh is shown and has their names", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const colored = stlBinary(surface);
-  for (let t = 0; t < triangleCount; ++t) colored.set([0x1f, 0x80], 84 + 50 * t + 48);
-  await dropBytes(page, colored, "plate.stl");
-  await previewed(page);
-  await page.getByTestId("split-patches").locator("summary").click();
-  await page.getByText("Given", { exact: true }).click();
-  const before = await app.colours();
-  await page.getByTestId("split-preview").click();
-  await expect(page.getByTestId("split-result")).toHaveText("Gives 7 patches.");
-  // Pieces are shown in colours of their own, not in that of the file.
-  await expect.poll(() => app.colours()).not.toBe(before);
-  await page.getByTestId("split-apply").click();
-  await expect(page.getByTestId("body-patches")).toHaveText("7");
-  await page.getByTestId("tree-body-patch-7").click();
-  await app.type("entity-name", "top");
-  await page.getByTestId("tree-body-1").click();
-  // The split shows the given triangles; a generated mesh takes their place.
-  await app.generate();
-  await page.getByTestId("tree-body-1").click();
-  await expect(
-    page.getByRole("radiogroup", { name: "Show" }).getByRole("radio", { name: "Mesh" }),
-  ).toBeChecked();
-  const names = parseMsh(await downloadMesh(page, /MSH 4/)).triangles.map(({ name }) => name);
-  expect(names.toSorted()).toEqual([...[1, 2, 3, 4, 5, 6].map((id) => `patch ${id}`), "top"]);
-});
+sharedTest(
+  "a part with one colour: patches are split, and the mesh is shown and has their names",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const colored = stlBinary(surface);
+    for (let t = 0; t < triangleCount; ++t) colored.set([0x1f, 0x80], 84 + 50 * t + 48);
+    await dropBytes(page, colored, "plate.stl");
+    await previewed(page);
+    await page.getByTestId("split-patches").locator("summary").click();
+    await page.getByText("Given", { exact: true }).click();
+    const before = await app.colours();
+    await page.getByTestId("split-preview").click();
+    await expect(page.getByTestId("split-result")).toHaveText("Gives 7 patches.");
+    // Pieces are shown in colours of their own, not in that of the file.
+    await expect.poll(() => app.colours()).not.toBe(before);
+    await page.getByTestId("split-apply").click();
+    await expect(page.getByTestId("body-patches")).toHaveText("7");
+    await page.getByTestId("tree-body-patch-7").click();
+    await app.type("entity-name", "top");
+    await page.getByTestId("tree-body-1").click();
+    // The split shows the given triangles; a generated mesh takes their place.
+    await app.generate();
+    await page.getByTestId("tree-body-1").click();
+    await expect(
+      page.getByRole("radiogroup", { name: "Show" }).getByRole("radio", { name: "Mesh" }),
+    ).toBeChecked();
+    const names = parseMsh(await downloadMesh(page, /MSH 4/)).triangles.map(({ name }) => name);
+    expect(names.toSorted()).toEqual([...[1, 2, 3, 4, 5, 6].map((id) => `patch ${id}`), "top"]);
+  },
+);
 
-test("an imported surface joins the open document, is moved and deleted, each as one step of undo", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const choosing = page.waitForEvent("filechooser");
-  await page.getByTestId("add-body").click();
-  await (
-    await choosing
-  ).setFiles({
-    name: "plate.stl",
-    mimeType: "model/stl",
-    buffer: Buffer.from(stlBinary(surface)),
-  });
-  await expect(page.getByTestId("tree-body-1")).toBeVisible();
-  await expect(page.getByTestId("tree-patch-1")).toBeVisible();
-  await page.getByTestId("body-placement").locator("summary").click();
-  await app.type("placement-position-z", "20");
-  await app.type("placement-rotation-x", "90");
-  await expect(page.getByTestId("placement-rotation-x")).toHaveValue("90");
-  const saved = await downloaded(page, () => page.keyboard.press("Control+s"));
-  const read = readProject(new TextDecoder().decode(saved));
-  expect(read.success && read.value.bodies?.[0]?.placement?.position).toEqual([0, 0, 20]);
-  expect(read.success && read.value.bodies?.[0]?.patches[0]?.id).toBe(7);
-  await page.getByTestId("tree-body-1").press("Delete");
-  await expect(page.getByTestId("tree-body-1")).toBeHidden();
-  for (let step = 0; step < 4; ++step) await page.keyboard.press("Control+z");
-  await expect(page.getByTestId("tree-body-1")).toBeHidden();
-  await expect(page.getByTestId("tree-patch-1")).toBeVisible();
-});
+sharedTest(
+  "an imported surface joins the open document, is moved and deleted, each as one step of undo",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const choosing = page.waitForEvent("filechooser");
+    await page.getByTestId("add-body").click();
+    await (
+      await choosing
+    ).setFiles({
+      name: "plate.stl",
+      mimeType: "model/stl",
+      buffer: Buffer.from(stlBinary(surface)),
+    });
+    await expect(page.getByTestId("tree-body-1")).toBeVisible();
+    await expect(page.getByTestId("tree-patch-1")).toBeVisible();
+    await page.getByTestId("body-placement").locator("summary").click();
+    await app.type("placement-position-z", "20");
+    await app.type("placement-rotation-x", "90");
+    await expect(page.getByTestId("placement-rotation-x")).toHaveValue("90");
+    const saved = await downloaded(page, () => page.keyboard.press("Control+s"));
+    const read = readProject(new TextDecoder().decode(saved));
+    expect(read.success && read.value.bodies?.[0]?.placement?.position).toEqual([0, 0, 20]);
+    expect(read.success && read.value.bodies?.[0]?.patches[0]?.id).toBe(7);
+    await page.getByTestId("tree-body-1").press("Delete");
+    await expect(page.getByTestId("tree-body-1")).toBeHidden();
+    for (let step = 0; step < 4; ++step) await page.keyboard.press("Control+z");
+    await expect(page.getByTestId("tree-body-1")).toBeHidden();
+    await expect(page.getByTestId("tree-patch-1")).toBeVisible();
+  },
+);
 
 for (const scheme of ["dark", "light"] as const) {
   test(`on a phone a dropped surface shows its card, without violations in the ${scheme} theme`, async ({
@@ -307,57 +314,58 @@ for (const scheme of ["dark", "light"] as const) {
   });
 }
 
-test("patches are split by angle after a preview and merged again, and a click in the view picks one", async ({
-  page,
-}) => {
-  const app = await openPlate(page);
-  await previewed(page);
-  await page.getByTestId("split-patches").locator("summary").click();
-  const before = await app.colours();
-  await page.getByTestId("split-preview").click();
-  await expect(page.getByTestId("split-result")).toHaveText("Gives 7 patches.");
-  // The view shows each patch in a colour of its own before the split is applied.
-  await expect.poll(() => app.colours()).not.toBe(before);
-  await expect(page.getByTestId("body-patches")).toHaveText("1");
-  await page.getByTestId("split-apply").click();
-  await expect(page.getByTestId("body-patches")).toHaveText("7");
-  // The tree shows the name that files of the mesh use.
-  await expect(page.getByTestId("tree-body-patch-7")).toHaveText("patch 7");
+sharedTest(
+  "patches are split by angle after a preview and merged again, and a click in the view picks one",
+  async ({ page }) => {
+    const app = await openPlate(page);
+    await previewed(page);
+    await page.getByTestId("split-patches").locator("summary").click();
+    const before = await app.colours();
+    await page.getByTestId("split-preview").click();
+    await expect(page.getByTestId("split-result")).toHaveText("Gives 7 patches.");
+    // The view shows each patch in a colour of its own before the split is applied.
+    await expect.poll(() => app.colours()).not.toBe(before);
+    await expect(page.getByTestId("body-patches")).toHaveText("1");
+    await page.getByTestId("split-apply").click();
+    await expect(page.getByTestId("body-patches")).toHaveText("7");
+    // The tree shows the name that files of the mesh use.
+    await expect(page.getByTestId("tree-body-patch-7")).toHaveText("patch 7");
 
-  const at = await page.evaluate(() => {
-    const { tetrafrontPosition } = window as unknown as {
-      tetrafrontPosition: (at: unknown) => { x: number; y: number };
-    };
-    return tetrafrontPosition([4, 4, 1]);
-  });
-  await app.viewport.click({ position: at });
-  // The top is the patch whose lowest corner is highest, so it comes last.
-  await expect(page.getByTestId("tree-body-patch-7")).toHaveAttribute("aria-selected", "true");
-  await app.type("entity-name", "top");
+    const at = await page.evaluate(() => {
+      const { tetrafrontPosition } = window as unknown as {
+        tetrafrontPosition: (at: unknown) => { x: number; y: number };
+      };
+      return tetrafrontPosition([4, 4, 1]);
+    });
+    await app.viewport.click({ position: at });
+    // The top is the patch whose lowest corner is highest, so it comes last.
+    await expect(page.getByTestId("tree-body-patch-7")).toHaveAttribute("aria-selected", "true");
+    await app.type("entity-name", "top");
 
-  await page.getByTestId("tree-body-patch-5").click();
-  await app.type("entity-name", "hole");
-  await page.getByTestId("split-patches").locator("summary").click();
-  await app.type("split-angle", "5");
-  await page.getByTestId("split-preview").click();
-  await expect(page.getByTestId("split-result")).toHaveText("Gives 30 patches.");
-  await page.getByTestId("split-apply").click();
-  await expect(page.getByTestId("tree-body-patch-8")).toContainText("hole 2");
-  await expect(page.getByTestId("tree-body-patch-7")).toContainText("top");
-  await page.getByRole("button", { name: /^Undo: Split patch 5/ }).click();
-  await expect(page.getByTestId("tree-body-patch-8")).toBeHidden();
-  await page.keyboard.press("Control+z");
+    await page.getByTestId("tree-body-patch-5").click();
+    await app.type("entity-name", "hole");
+    await page.getByTestId("split-patches").locator("summary").click();
+    await app.type("split-angle", "5");
+    await page.getByTestId("split-preview").click();
+    await expect(page.getByTestId("split-result")).toHaveText("Gives 30 patches.");
+    await page.getByTestId("split-apply").click();
+    await expect(page.getByTestId("tree-body-patch-8")).toContainText("hole 2");
+    await expect(page.getByTestId("tree-body-patch-7")).toContainText("top");
+    await page.getByRole("button", { name: /^Undo: Split patch 5/ }).click();
+    await expect(page.getByTestId("tree-body-patch-8")).toBeHidden();
+    await page.keyboard.press("Control+z");
 
-  await page.getByTestId("tree-body-patch-1").click();
-  await page.getByTestId("tree-body-patch-2").click({ modifiers: ["Control"] });
-  await page.getByTestId("merge-patches").click();
-  await expect(page.getByTestId("tree-body-patch-2")).toBeHidden();
-  await page.getByRole("button", { name: "Undo: Merge 2 patches" }).click();
-  await expect(page.getByTestId("tree-body-patch-2")).toBeVisible();
-  await page.keyboard.press("Control+z");
-  await page.getByRole("button", { name: /^Undo: Split plate/ }).click();
-  await expect(page.getByTestId("tree-body-patch-2")).toBeHidden();
-});
+    await page.getByTestId("tree-body-patch-1").click();
+    await page.getByTestId("tree-body-patch-2").click({ modifiers: ["Control"] });
+    await page.getByTestId("merge-patches").click();
+    await expect(page.getByTestId("tree-body-patch-2")).toBeHidden();
+    await page.getByRole("button", { name: "Undo: Merge 2 patches" }).click();
+    await expect(page.getByTestId("tree-body-patch-2")).toBeVisible();
+    await page.keyboard.press("Control+z");
+    await page.getByRole("button", { name: /^Undo: Split plate/ }).click();
+    await expect(page.getByTestId("tree-body-patch-2")).toBeHidden();
+  },
+);
 
 const screenPosition = (page: Page, position: readonly number[]): Promise<{ x: number; y: number }> =>
   page.evaluate((at) => {
@@ -383,58 +391,60 @@ async function drag(
   await mouse.up();
 }
 
-test("a stroke of the brush paints sources that refine the preview, as one step of undo", async ({
-  page,
-}) => {
-  const app = await openPlate(page);
-  await previewed(page);
-  const coarse = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));
-  await page.getByTestId("body-brush").locator("summary").click();
-  await app.type("brush-size", "0.1");
-  await page.getByTestId("brush-toggle").click();
-  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "true");
-  const withoutReach = await app.viewport.screenshot();
-  const { x, y } = await screenPosition(page, [3, -4, 1]);
-  await app.viewport.hover({ position: { x, y } });
-  await expect.poll(async () => (await app.viewport.screenshot()).equals(withoutReach)).toBe(false);
-  await drag(app, await screenPosition(page, [3, -4, 1]), await screenPosition(page, [4, 3, 1]));
-  await expect(page.getByTestId("tree-source-2")).toBeVisible();
-  await page.keyboard.press("Escape");
-  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "false");
-  await page.getByTestId("body-preview-make").click();
-  await previewed(page);
-  const fine = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));
-  expect(fine).toBeGreaterThan(1.5 * coarse);
-  await page.getByRole("button", { name: "Undo: Paint size" }).click();
-  await expect(page.getByTestId("tree-source-1")).toBeHidden();
-  await previewed(page);
-});
+sharedTest(
+  "a stroke of the brush paints sources that refine the preview, as one step of undo",
+  async ({ page }) => {
+    const app = await openPlate(page);
+    await previewed(page);
+    const coarse = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));
+    await page.getByTestId("body-brush").locator("summary").click();
+    await app.type("brush-size", "0.1");
+    await page.getByTestId("brush-toggle").click();
+    await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "true");
+    const withoutReach = await app.viewport.screenshot();
+    const { x, y } = await screenPosition(page, [3, -4, 1]);
+    await app.viewport.hover({ position: { x, y } });
+    await expect.poll(async () => (await app.viewport.screenshot()).equals(withoutReach)).toBe(false);
+    await drag(app, await screenPosition(page, [3, -4, 1]), await screenPosition(page, [4, 3, 1]));
+    await expect(page.getByTestId("tree-source-2")).toBeVisible();
+    await page.keyboard.press("Escape");
+    await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "false");
+    await page.getByTestId("body-preview-make").click();
+    await previewed(page);
+    const fine = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));
+    expect(fine).toBeGreaterThan(1.5 * coarse);
+    await page.getByRole("button", { name: "Undo: Paint size" }).click();
+    await expect(page.getByTestId("tree-source-1")).toBeHidden();
+    await previewed(page);
+  },
+);
 
-test("the palette splits patches, takes the brush, and the card of a patch has its area and normal", async ({
-  page,
-}) => {
-  const app = await openPlate(page);
-  await previewed(page);
-  const choose = async (command: string) => {
-    await page.keyboard.press("Control+k");
-    await page.keyboard.type(command);
-    await expect(page.getByRole("dialog").getByText(command)).toBeVisible();
-    await page.keyboard.press("Enter");
-  };
-  await choose("Paint size on the body");
-  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "true");
-  await choose("Paint size on the body");
-  await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "false");
-  await choose("Split patches of the body by angle");
-  await expect(page.getByTestId("split-result")).toBeVisible();
-  await page.getByTestId("split-apply").click();
-  await app.viewport.click({ position: await screenPosition(page, [3, -4, 1]) });
-  const facts = page.getByTestId("body-patch-facts");
-  await expect(facts).toContainText("Normal");
-  await expect(facts).toContainText("0, 0, 1");
-});
+sharedTest(
+  "the palette splits patches, takes the brush, and the card of a patch has its area and normal",
+  async ({ page }) => {
+    const app = await openPlate(page);
+    await previewed(page);
+    const choose = async (command: string) => {
+      await page.keyboard.press("Control+k");
+      await page.keyboard.type(command);
+      await expect(page.getByRole("dialog").getByText(command)).toBeVisible();
+      await page.keyboard.press("Enter");
+    };
+    await choose("Paint size on the body");
+    await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "true");
+    await choose("Paint size on the body");
+    await expect(page.getByTestId("brush-toggle")).toHaveAttribute("aria-pressed", "false");
+    await choose("Split patches of the body by angle");
+    await expect(page.getByTestId("split-result")).toBeVisible();
+    await page.getByTestId("split-apply").click();
+    await app.viewport.click({ position: await screenPosition(page, [3, -4, 1]) });
+    const facts = page.getByTestId("body-patch-facts");
+    await expect(facts).toContainText("Normal");
+    await expect(facts).toContainText("0, 0, 1");
+  },
+);
 
-test("a box that touches a body selects it", async ({ page }) => {
+sharedTest("a box that touches a body selects it", async ({ page }) => {
   const app = await openPlate(page);
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Escape");
@@ -450,7 +460,7 @@ test("a box that touches a body selects it", async ({ page }) => {
   await expect(page.getByTestId("tree-body-1")).toHaveAttribute("aria-selected", "true");
 });
 
-test("handles move a body, a drag as one step of undo", async ({ page }) => {
+sharedTest("handles move a body, a drag as one step of undo", async ({ page }) => {
   const app = await openPlate(page);
   await previewed(page);
   await page.getByTestId("body-placement").locator("summary").click();
@@ -483,29 +493,30 @@ async function importBox(page: Page, low: number): Promise<AppPage> {
   return app;
 }
 
-test("a body that crosses a drawn patch is a problem before a mesh is generated, until it is moved", async ({
-  page,
-}) => {
-  const app = await importBox(page, 0.7);
-  await page.getByText("Keep", { exact: true }).click();
-  await page.getByTestId("body-preview-make").click();
-  await page.getByRole("tab", { name: /Problems/ }).click();
-  const crossing = page.getByTestId("problems-self-intersection");
-  await expect(crossing.first()).toBeVisible();
-  await expect(crossing.first()).toContainText("box");
-  await expect(app.viewport).toHaveAttribute("data-busy", "false");
-  await crossing.getByRole("button", { name: "Show", exact: true }).first().click();
-  await page.getByTestId("tree-body-1").click();
-  await page.getByTestId("body-placement").locator("summary").click();
-  for (const axis of ["x", "y", "z"]) await app.type(`placement-position-${axis}`, "-0.45");
-  await expect(crossing).toHaveCount(0);
-  await page.getByTestId("body-preview-make").click();
-  await previewed(page);
-  await expect(page.getByTestId("problem-list")).toHaveAttribute("data-bodies-checked", "true");
-  await expect(crossing).toHaveCount(0);
-});
+sharedTest(
+  "a body that crosses a drawn patch is a problem before a mesh is generated, until it is moved",
+  async ({ page }) => {
+    const app = await importBox(page, 0.7);
+    await page.getByText("Keep", { exact: true }).click();
+    await page.getByTestId("body-preview-make").click();
+    await page.getByRole("tab", { name: /Problems/ }).click();
+    const crossing = page.getByTestId("problems-self-intersection");
+    await expect(crossing.first()).toBeVisible();
+    await expect(crossing.first()).toContainText("box");
+    await expect(app.viewport).toHaveAttribute("data-busy", "false");
+    await crossing.getByRole("button", { name: "Show", exact: true }).first().click();
+    await page.getByTestId("tree-body-1").click();
+    await page.getByTestId("body-placement").locator("summary").click();
+    for (const axis of ["x", "y", "z"]) await app.type(`placement-position-${axis}`, "-0.45");
+    await expect(crossing).toHaveCount(0);
+    await page.getByTestId("body-preview-make").click();
+    await previewed(page);
+    await expect(page.getByTestId("problem-list")).toHaveAttribute("data-bodies-checked", "true");
+    await expect(crossing).toHaveCount(0);
+  },
+);
 
-test("a body outside the background grid is a problem before a mesh is generated", async ({ page }) => {
+sharedTest("a body outside the background grid is a problem before a mesh is generated", async ({ page }) => {
   await importBox(page, 5);
   await page.getByRole("tab", { name: /Problems/ }).click();
   const outside = page.getByTestId("problems-outside-background-grid");
@@ -515,27 +526,28 @@ test("a body outside the background grid is a problem before a mesh is generated
   );
 });
 
-test("a body with a hole that overlaps another is repaired and joined by one Generate mesh, pressed at once", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const { points, triangles } = boxSurface(4);
-  const whole = boxSurface(4, [0.8, 0.125, 0.125], [1.8, 0.875, 0.875]);
-  await dropFiles(page, {
-    "open.stl": stlBinary({ points, triangles: triangles.subarray(9) }),
-    "whole.stl": stlBinary(whole),
-  });
-  await expect(page.getByTestId("tree-body-2")).toContainText("whole");
-  await generateButton(page).click();
-  await expect(app.viewport).toHaveAttribute("data-busy", "true");
-  await app.meshed();
-  await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
-  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
-  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
-  expect(volume).toBeCloseTo(1 + 0.8 * 0.75 ** 2, 3);
-  for (const step of ["Join open and whole", "Repair open"]) {
-    await page.getByRole("button", { name: `Undo: ${step}` }).click();
-  }
-  await expect(page.getByTestId("tree-body-2")).toContainText("whole");
-});
+sharedTest(
+  "a body with a hole that overlaps another is repaired and joined by one Generate mesh, pressed at once",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const { points, triangles } = boxSurface(4);
+    const whole = boxSurface(4, [0.8, 0.125, 0.125], [1.8, 0.875, 0.875]);
+    await dropFiles(page, {
+      "open.stl": stlBinary({ points, triangles: triangles.subarray(9) }),
+      "whole.stl": stlBinary(whole),
+    });
+    await expect(page.getByTestId("tree-body-2")).toContainText("whole");
+    await generateButton(page).click();
+    await expect(app.viewport).toHaveAttribute("data-busy", "true");
+    await app.meshed();
+    await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
+    const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+    expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+    expect(volume).toBeCloseTo(1 + 0.8 * 0.75 ** 2, 3);
+    for (const step of ["Join open and whole", "Repair open"]) {
+      await page.getByRole("button", { name: `Undo: ${step}` }).click();
+    }
+    await expect(page.getByTestId("tree-body-2")).toContainText("whole");
+  },
+);

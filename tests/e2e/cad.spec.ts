@@ -5,6 +5,7 @@ import { boxSolid, drilledSolid, stepFile } from "../support/step-files";
 import { AppPage, countOrange, forEachPixel } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
+import { sharedTest } from "./shared-page";
 
 const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]);
 const plateVolume = 1600 - 72 * Math.PI;
@@ -33,7 +34,7 @@ test("a STEP file becomes a mesh: card, faces as patches, mesh, download", async
   expect(new Set(names)).toEqual(new Set([1, 2, 3, 4, 5, 6, 7].map((n) => `face ${n}`)));
 });
 
-test("the solids of an assembly are bodies with names, colours and previews", async ({ page }) => {
+sharedTest("the solids of an assembly are bodies with names, colours and previews", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const orange = [1, 0.45, 0.1] as const;
@@ -57,46 +58,48 @@ test("the solids of an assembly are bodies with names, colours and previews", as
 
 const [base, pin] = [boxSolid("base", [0, 0, 0], [4, 4, 1]), boxSolid("pin", [1, 1, 1], [2, 2, 3])] as const;
 
-test("solids of one file that touch in a part of a face share its triangles from the start", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await dropBytes(page, stepFile([base, pin]), "assembly.step");
-  await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
-  await expect(page.getByTestId("body-card")).toContainText("Regions2");
-  await expect(page.getByTestId("model-tree")).toContainText("base / pin");
-  await app.generate();
-  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
-  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
-  expect(volume).toBeCloseTo(18, 6);
-  const { tetrahedra } = parseMsh(await downloadMesh(page, /MSH 4/));
-  expect(tetrahedra.map(({ name }) => name).toSorted()).toEqual(["base", "pin"]);
-});
+sharedTest(
+  "solids of one file that touch in a part of a face share its triangles from the start",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await dropBytes(page, stepFile([base, pin]), "assembly.step");
+    await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
+    await expect(page.getByTestId("body-card")).toContainText("Regions2");
+    await expect(page.getByTestId("model-tree")).toContainText("base / pin");
+    await app.generate();
+    const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+    expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+    expect(volume).toBeCloseTo(18, 6);
+    const { tetrahedra } = parseMsh(await downloadMesh(page, /MSH 4/));
+    expect(tetrahedra.map(({ name }) => name).toSorted()).toEqual(["base", "pin"]);
+  },
+);
 
-test("solids of two files that touch in a part of a face are joined by Generate mesh, as a step of undo", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await dropFiles(page, { "base.step": stepFile([base]), "pin.step": stepFile([pin]) });
-  await expect(page.getByTestId("tree-body-2")).toContainText("pin");
-  await expect(page.getByTestId("problem-list")).toBeHidden();
-  await expect(page.getByTestId("body-card")).toContainText("base and pin touch or intersect");
-  const { tets } = await app.generate();
-  expect(tets).toBeGreaterThan(100);
-  // A run clears the selection.
-  await page.getByRole("treeitem", { name: "base + pin" }).click();
-  await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
-  await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
-  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
-  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
-  expect(volume).toBeCloseTo(18, 6);
-  await page.getByRole("button", { name: "Undo: Join base and pin" }).click();
-  await expect(page.getByTestId("tree-body-2")).toContainText("pin");
-});
+sharedTest(
+  "solids of two files that touch in a part of a face are joined by Generate mesh, as a step of undo",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await dropFiles(page, { "base.step": stepFile([base]), "pin.step": stepFile([pin]) });
+    await expect(page.getByTestId("tree-body-2")).toContainText("pin");
+    await expect(page.getByTestId("problem-list")).toBeHidden();
+    await expect(page.getByTestId("body-card")).toContainText("base and pin touch or intersect");
+    const { tets } = await app.generate();
+    expect(tets).toBeGreaterThan(100);
+    // A run clears the selection.
+    await page.getByRole("treeitem", { name: "base + pin" }).click();
+    await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
+    await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
+    const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+    expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+    expect(volume).toBeCloseTo(18, 6);
+    await page.getByRole("button", { name: "Undo: Join base and pin" }).click();
+    await expect(page.getByTestId("tree-body-2")).toContainText("pin");
+  },
+);
 
-test("a face has its colour in every pixel", async ({ page }) => {
+sharedTest("a face has its colour in every pixel", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   // One less than this red, as a number of 24 bits, would be a light cyan.
@@ -118,7 +121,7 @@ test("a face has its colour in every pixel", async ({ page }) => {
   expect((await pixels()).cyan).toBeLessThan(200);
 });
 
-test("a damaged STEP file gives an error, and the next file is opened", async ({ page }) => {
+sharedTest("a damaged STEP file gives an error, and the next file is opened", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await dropBytes(page, plate.subarray(0, 1000), "damaged.step");

@@ -6,6 +6,7 @@ import { parseVtu } from "../support/mesh-files";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { generateButton, undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /** Saves the project in the app and returns it. */
 async function savedProject(page: Page): Promise<Project> {
@@ -52,7 +53,7 @@ async function choose(page: Page, kind: string, ids: readonly number[]): Promise
 
 const selected = '[role="treeitem"][aria-selected="true"]';
 
-test("a tetrahedron can be drawn in an empty project, meshed and undone", async ({ page }) => {
+sharedTest("a tetrahedron can be drawn in an empty project, meshed and undone", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await openEmpty(app);
@@ -104,7 +105,7 @@ test("a tetrahedron can be drawn in an empty project, meshed and undone", async 
   await expect(page.getByRole("button", { name: "Undo: Add line 6" })).toBeEnabled();
 });
 
-test("a new project is empty, and new entities appear in the view", async ({ page }) => {
+sharedTest("a new project is empty, and new entities appear in the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByRole("menuitem", { name: "File" }).click();
@@ -130,37 +131,40 @@ test("a new project is empty, and new entities appear in the view", async ({ pag
 });
 
 for (const button of ["add", "add-next"]) {
-  test(`a new point is not added with the button ${button} while a number is invalid`, async ({ page }) => {
-    const app = new AppPage(page);
-    await app.openCube();
-    await page.keyboard.press("Shift+P");
-    const dialog = page.getByRole("dialog", { name: "New point" });
-    for (const field of ["new-x", "new-y", "new-z"]) {
-      const input = dialog.getByTestId(field);
-      const before = await input.inputValue();
-      await input.fill("12abc");
-      await dialog.getByTestId(button).click();
-      await expect(dialog).toContainText("Enter a number");
-      await expect(input).toBeFocused();
-      await input.press("Enter");
-      await expect(dialog).toBeVisible();
-      await expect(input).toHaveValue("12abc");
-      await input.fill(before);
-    }
-    await dialog.getByTestId("new-x").fill("7.5");
-    await dialog.getByTestId("new-x").press("Enter");
-    // Enter adds the point, and the next one can be typed.
-    await expect(dialog.getByRole("status")).toContainText("Added point 9");
-    await expect(dialog.getByTestId("new-x")).toBeFocused();
-    await page.keyboard.press("Escape");
-    await expect(dialog).toBeHidden();
-    await expect(page.getByTestId("position-x")).toHaveValue("7.5");
-    await page.getByRole("button", { name: "Undo: Add point 9" }).click();
-    await expect(undoButton(page)).toBeDisabled();
-  });
+  sharedTest(
+    `a new point is not added with the button ${button} while a number is invalid`,
+    async ({ page }) => {
+      const app = new AppPage(page);
+      await app.openCube();
+      await page.keyboard.press("Shift+P");
+      const dialog = page.getByRole("dialog", { name: "New point" });
+      for (const field of ["new-x", "new-y", "new-z"]) {
+        const input = dialog.getByTestId(field);
+        const before = await input.inputValue();
+        await input.fill("12abc");
+        await dialog.getByTestId(button).click();
+        await expect(dialog).toContainText("Enter a number");
+        await expect(input).toBeFocused();
+        await input.press("Enter");
+        await expect(dialog).toBeVisible();
+        await expect(input).toHaveValue("12abc");
+        await input.fill(before);
+      }
+      await dialog.getByTestId("new-x").fill("7.5");
+      await dialog.getByTestId("new-x").press("Enter");
+      // Enter adds the point, and the next one can be typed.
+      await expect(dialog.getByRole("status")).toContainText("Added point 9");
+      await expect(dialog.getByTestId("new-x")).toBeFocused();
+      await page.keyboard.press("Escape");
+      await expect(dialog).toBeHidden();
+      await expect(page.getByTestId("position-x")).toHaveValue("7.5");
+      await page.getByRole("button", { name: "Undo: Add point 9" }).click();
+      await expect(undoButton(page)).toBeDisabled();
+    },
+  );
 }
 
-test("the dialogs for sizes apply with Enter, but not while a number is invalid", async ({ page }) => {
+sharedTest("the dialogs for sizes apply with Enter, but not while a number is invalid", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const runCommand = async (name: string): Promise<void> => {
@@ -192,138 +196,145 @@ test("the dialogs for sizes apply with Enter, but not while a number is invalid"
   }
 });
 
-test("the inspector and the dialogs state why an entity cannot be created from the selection", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await choose(page, "line", [1, 2]);
-  const made = page.getByTestId("create-from-selection");
-  await expect(made).toContainText("The lines do not close: only one of them ends at point");
-  await expect(made.getByRole("button", { name: "Patch within lines" })).toHaveCount(0);
-  await page.keyboard.press("a");
-  await expect(page.getByTestId("notice-note")).toContainText(/^Patch within lines: .*only one of them ends/);
-  await expect(page.getByRole("dialog")).toHaveCount(0);
-  await page.getByTestId("add-line").click();
-  await expect(page.getByRole("dialog", { name: "New line" })).toContainText("Select its points in order");
-});
+sharedTest(
+  "the inspector and the dialogs state why an entity cannot be created from the selection",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await choose(page, "line", [1, 2]);
+    const made = page.getByTestId("create-from-selection");
+    await expect(made).toContainText("The lines do not close: only one of them ends at point");
+    await expect(made.getByRole("button", { name: "Patch within lines" })).toHaveCount(0);
+    await page.keyboard.press("a");
+    await expect(page.getByTestId("notice-note")).toContainText(
+      /^Patch within lines: .*only one of them ends/,
+    );
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+    await page.getByTestId("add-line").click();
+    await expect(page.getByRole("dialog", { name: "New line" })).toContainText("Select its points in order");
+  },
+);
 
-test("a patch with a hole can be created from lines in any order, and a hole can be removed and added", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.open("dark", "plate-with-hole");
-  const plate = sampleProject("plate-with-hole");
-  const bottom = plate.patches.find(({ name }) => name === "bottom");
-  const [outer = [], hole = []] = (bottom?.loops ?? []).map((loop) => loop.map(Math.abs));
-  if (!bottom) throw new Error("The plate has no bottom");
-  await app.select(`patch-${bottom.id}`);
-  await page.getByRole("button", { name: "Remove hole 1" }).click();
-  await expect(page.getByTestId("patch-loop-1")).toBeHidden();
-  await page.getByTestId(`tree-patch-${bottom.id}`).click();
-  for (const line of hole) {
-    await page.getByTestId(`tree-line-${line}`).click({ modifiers: ["ControlOrMeta"] });
-  }
-  await page.getByTestId("create-hole").click();
-  await expect(page.getByTestId("patch-loop-1")).toBeVisible();
-  await page.getByTestId(`tree-patch-${bottom.id}`).press("Delete");
-  // Select the hole first and the lines out of order: the outer loop and the order of its lines are still found.
-  await choose(page, "line", [hole[2] ?? 0, ...outer.toReversed(), ...hole.filter((_, i) => i !== 2)]);
-  await page.getByTestId("create-patch-any").click();
-  const again = await app.generate();
-  expect(again.tets).toBeGreaterThan(100);
-  const { patches } = await savedProject(page);
-  const made = patches.at(-1);
-  expect(made?.type).toBe("planar");
-  expect(made?.loops.map((loop) => loop.map(Math.abs).toSorted((a, b) => a - b))).toEqual(
-    [outer, hole].map((loop) => loop.toSorted((a, b) => a - b)),
-  );
-});
+sharedTest(
+  "a patch with a hole can be created from lines in any order, and a hole can be removed and added",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open("dark", "plate-with-hole");
+    const plate = sampleProject("plate-with-hole");
+    const bottom = plate.patches.find(({ name }) => name === "bottom");
+    const [outer = [], hole = []] = (bottom?.loops ?? []).map((loop) => loop.map(Math.abs));
+    if (!bottom) throw new Error("The plate has no bottom");
+    await app.select(`patch-${bottom.id}`);
+    await page.getByRole("button", { name: "Remove hole 1" }).click();
+    await expect(page.getByTestId("patch-loop-1")).toBeHidden();
+    await page.getByTestId(`tree-patch-${bottom.id}`).click();
+    for (const line of hole) {
+      await page.getByTestId(`tree-line-${line}`).click({ modifiers: ["ControlOrMeta"] });
+    }
+    await page.getByTestId("create-hole").click();
+    await expect(page.getByTestId("patch-loop-1")).toBeVisible();
+    await page.getByTestId(`tree-patch-${bottom.id}`).press("Delete");
+    // Select the hole first and the lines out of order: the outer loop and the order of its lines are still found.
+    await choose(page, "line", [hole[2] ?? 0, ...outer.toReversed(), ...hole.filter((_, i) => i !== 2)]);
+    await page.getByTestId("create-patch-any").click();
+    const again = await app.generate();
+    expect(again.tets).toBeGreaterThan(100);
+    const { patches } = await savedProject(page);
+    const made = patches.at(-1);
+    expect(made?.type).toBe("planar");
+    expect(made?.loops.map((loop) => loop.map(Math.abs).toSorted((a, b) => a - b))).toEqual(
+      [outer, hole].map((loop) => loop.toSorted((a, b) => a - b)),
+    );
+  },
+);
 
-test("in the tree, Shift selects a range and Ctrl toggles; both add a range, and Ctrl A selects all of a kind", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByTestId("tree-line-2").click();
-  for (const [end, count] of [
-    [4, 3],
-    [6, 5],
-    [1, 2],
-  ] as const) {
-    // prettier-ignore
-    await page.getByTestId(`tree-line-${end}`).click({ modifiers: ["Shift"] });
-    await expect(page.locator(selected)).toHaveCount(count);
-  }
-  await page.getByTestId("tree-line-2").click();
-  await page.getByTestId("tree-line-8").click({ modifiers: ["ControlOrMeta"] });
-  await page.getByTestId("tree-line-2").click({ modifiers: ["ControlOrMeta"] });
-  await page.getByTestId("tree-line-5").click({ modifiers: ["ControlOrMeta", "Shift"] });
-  await expect(page.locator(selected)).toHaveCount(5);
-  await page.getByTestId("tree-line-8").click({ modifiers: ["ControlOrMeta"] });
-  await page.getByTestId("tree-line-2").click();
-  await page.getByTestId("tree-line-5").click({ modifiers: ["Shift"] });
-  await expect(page.locator(selected)).toHaveCount(4);
-  await expect(page.getByTestId("inspector")).toContainText("4 entities selected");
-  await page.keyboard.press("Shift+ArrowDown");
-  await expect(page.locator(selected)).toHaveCount(5);
-  await page.getByTestId("tree-line-3").click({ modifiers: ["ControlOrMeta"] });
-  await expect(page.locator(selected)).toHaveCount(4);
-  await page.keyboard.press("Control+a");
-  await expect(page.getByTestId("inspector")).toContainText("12 entities selected");
-  await page.keyboard.press("Escape");
-  await expect(page.locator(selected)).toHaveCount(0);
-});
+sharedTest(
+  "in the tree, Shift selects a range and Ctrl toggles; both add a range, and Ctrl A selects all of a kind",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.getByTestId("tree-line-2").click();
+    for (const [end, count] of [
+      [4, 3],
+      [6, 5],
+      [1, 2],
+    ] as const) {
+      // prettier-ignore
+      await page.getByTestId(`tree-line-${end}`).click({ modifiers: ["Shift"] });
+      await expect(page.locator(selected)).toHaveCount(count);
+    }
+    await page.getByTestId("tree-line-2").click();
+    await page.getByTestId("tree-line-8").click({ modifiers: ["ControlOrMeta"] });
+    await page.getByTestId("tree-line-2").click({ modifiers: ["ControlOrMeta"] });
+    await page.getByTestId("tree-line-5").click({ modifiers: ["ControlOrMeta", "Shift"] });
+    await expect(page.locator(selected)).toHaveCount(5);
+    await page.getByTestId("tree-line-8").click({ modifiers: ["ControlOrMeta"] });
+    await page.getByTestId("tree-line-2").click();
+    await page.getByTestId("tree-line-5").click({ modifiers: ["Shift"] });
+    await expect(page.locator(selected)).toHaveCount(4);
+    await expect(page.getByTestId("inspector")).toContainText("4 entities selected");
+    await page.keyboard.press("Shift+ArrowDown");
+    await expect(page.locator(selected)).toHaveCount(5);
+    await page.getByTestId("tree-line-3").click({ modifiers: ["ControlOrMeta"] });
+    await expect(page.locator(selected)).toHaveCount(4);
+    await page.keyboard.press("Control+a");
+    await expect(page.getByTestId("inspector")).toContainText("12 entities selected");
+    await page.keyboard.press("Escape");
+    await expect(page.locator(selected)).toHaveCount(0);
+  },
+);
 
-test("each type of patch states which lines it needs and why the present lines do not fit", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await app.select("patch-1");
-  await expect(page.getByTestId("patch-hint")).toContainText("one plane");
-  await page.getByTestId("patch-type").click();
-  const expected = [
-    [/^planar/, "Any lines that lie in one plane"],
-    [/^isoparametric triangle/, "Needs three lines; found 4 lines."],
-    [/^serendipity/, "Needs parabolic lines"],
-    [/^Barnhill/, "Needs three lines; found 4 lines."],
-    [/^Coons/, "Four lines of any type"],
-  ] as const;
-  for (const [name, text] of expected) {
-    await expect(page.getByRole("option", { name })).toContainText(text);
-  }
-  await page.getByRole("option", { name: /^Barnhill/ }).click();
-  await expect(page.getByTestId("inspector")).toContainText("Needs three lines; found 4 lines.");
-  await expect(page.getByTestId("inspector").locator("[data-code=wrong-line-count]")).toBeVisible();
-  await undoButton(page).click();
-  await expect(page.getByTestId("inspector").locator("[data-code]")).toHaveCount(0);
-});
+sharedTest(
+  "each type of patch states which lines it needs and why the present lines do not fit",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await app.select("patch-1");
+    await expect(page.getByTestId("patch-hint")).toContainText("one plane");
+    await page.getByTestId("patch-type").click();
+    const expected = [
+      [/^planar/, "Any lines that lie in one plane"],
+      [/^isoparametric triangle/, "Needs three lines; found 4 lines."],
+      [/^serendipity/, "Needs parabolic lines"],
+      [/^Barnhill/, "Needs three lines; found 4 lines."],
+      [/^Coons/, "Four lines of any type"],
+    ] as const;
+    for (const [name, text] of expected) {
+      await expect(page.getByRole("option", { name })).toContainText(text);
+    }
+    await page.getByRole("option", { name: /^Barnhill/ }).click();
+    await expect(page.getByTestId("inspector")).toContainText("Needs three lines; found 4 lines.");
+    await expect(page.getByTestId("inspector").locator("[data-code=wrong-line-count]")).toBeVisible();
+    await undoButton(page).click();
+    await expect(page.getByTestId("inspector").locator("[data-code]")).toHaveCount(0);
+  },
+);
 
-test("the list and the view show the roles of the lines of a Barnhill–Gregory–Nielson patch", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await openEmpty(app);
-  await addPoints(page, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
-  await choose(page, "point", [1, 2, 3]);
-  await page.keyboard.press("l");
-  await choose(page, "point", [3, 1]);
-  await page.keyboard.press("l");
-  await choose(page, "line", [1, 2, 3]);
-  await page.getByTestId("create-patch-barnhill-gregory-nielson").click();
-  await expect(page.getByTestId("patch-loop-0")).toHaveValue("1, 2, 3");
-  await expect(page.getByTestId("role-2")).toHaveText("F2");
-  await expect(page.getByTestId("role-label-F2")).toHaveAttribute("data-line", "2");
-  await expect(page.getByTestId("role-label-F2")).toBeVisible();
-  await page.getByRole("button", { name: "Make Line 3 F2" }).click();
-  await expect(page.getByTestId("patch-loop-0")).toHaveValue("2, 3, 1");
-  await expect(page.getByTestId("role-3")).toHaveText("F2");
-  await expect(page.getByTestId("role-label-F2")).toHaveAttribute("data-line", "3");
-  await page.keyboard.press("Escape");
-  await expect(page.getByTestId("role-label-F2")).toBeHidden();
-});
+sharedTest(
+  "the list and the view show the roles of the lines of a Barnhill–Gregory–Nielson patch",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await openEmpty(app);
+    await addPoints(page, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
+    await choose(page, "point", [1, 2, 3]);
+    await page.keyboard.press("l");
+    await choose(page, "point", [3, 1]);
+    await page.keyboard.press("l");
+    await choose(page, "line", [1, 2, 3]);
+    await page.getByTestId("create-patch-barnhill-gregory-nielson").click();
+    await expect(page.getByTestId("patch-loop-0")).toHaveValue("1, 2, 3");
+    await expect(page.getByTestId("role-2")).toHaveText("F2");
+    await expect(page.getByTestId("role-label-F2")).toHaveAttribute("data-line", "2");
+    await expect(page.getByTestId("role-label-F2")).toBeVisible();
+    await page.getByRole("button", { name: "Make Line 3 F2" }).click();
+    await expect(page.getByTestId("patch-loop-0")).toHaveValue("2, 3, 1");
+    await expect(page.getByTestId("role-3")).toHaveText("F2");
+    await expect(page.getByTestId("role-label-F2")).toHaveAttribute("data-line", "3");
+    await page.keyboard.press("Escape");
+    await expect(page.getByTestId("role-label-F2")).toBeHidden();
+  },
+);
 
 /**
  * Saves the mesh in the app; returns it with the defects found by an independent check, except those of the
@@ -342,79 +353,80 @@ async function savedMesh(page: Page) {
   return { mesh, defects, boundaryFaces: extraFaces };
 }
 
-test("a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch, and a tube between its rims along a seam", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("menuitem", { name: "File" }).click();
-  await page.getByRole("menuitem", { name: "New project" }).click();
-  const rim = (z: number) => [[0.8, 0.5, z], [0.5, 0.8, z], [0.2, 0.5, z], [0.5, 0.2, z]]; // prettier-ignore
-  await addPoints(page, [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], ...rim(0), ...rim(0.25)]); // prettier-ignore
-  for (const ends of [
-    [1, 2],
-    [2, 3],
-    [3, 1],
-    [1, 4],
-    [2, 4],
-    [3, 4],
-  ]) {
-    // prettier-ignore
-    await choose(page, "point", ends);
+sharedTest(
+  "a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch, and a tube between its rims along a seam",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.getByRole("menuitem", { name: "File" }).click();
+    await page.getByRole("menuitem", { name: "New project" }).click();
+    const rim = (z: number) => [[0.8, 0.5, z], [0.5, 0.8, z], [0.2, 0.5, z], [0.5, 0.2, z]]; // prettier-ignore
+    await addPoints(page, [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], ...rim(0), ...rim(0.25)]); // prettier-ignore
+    for (const ends of [
+      [1, 2],
+      [2, 3],
+      [3, 1],
+      [1, 4],
+      [2, 4],
+      [3, 4],
+    ]) {
+      // prettier-ignore
+      await choose(page, "point", ends);
+      await page.keyboard.press("l");
+    }
+    // Close one rim by a click on its first point, the other by the command.
+    await page.keyboard.press("7");
+    await choose(page, "point", [5, 6, 7, 8]);
+    const box = await app.viewport.boundingBox();
+    const at = await page.evaluate(() => {
+      type Find = (kind: string, id: number) => { x: number; y: number };
+      return (window as unknown as { tetrafrontProject: Find }).tetrafrontProject("point", 5);
+    });
+    await page.keyboard.down("Shift");
+    await page.mouse.click((box?.x ?? 0) + at.x, (box?.y ?? 0) + at.y);
+    await page.keyboard.up("Shift");
+    await expect(page.getByTestId("inspector")).toContainText("4 points, closed");
+    await page.keyboard.press("s");
+    await choose(page, "point", [9, 10, 11, 12]);
+    await page.keyboard.press("Shift+S");
+    await expect(page.getByTestId("line-closed")).toBeChecked();
+    await expect(page.getByTestId("line-points")).toHaveValue("9, 10, 11, 12, 9");
+    await choose(page, "point", [5, 9]);
     await page.keyboard.press("l");
-  }
-  // Close one rim by a click on its first point, the other by the command.
-  await page.keyboard.press("7");
-  await choose(page, "point", [5, 6, 7, 8]);
-  const box = await app.viewport.boundingBox();
-  const at = await page.evaluate(() => {
-    type Find = (kind: string, id: number) => { x: number; y: number };
-    return (window as unknown as { tetrafrontProject: Find }).tetrafrontProject("point", 5);
-  });
-  await page.keyboard.down("Shift");
-  await page.mouse.click((box?.x ?? 0) + at.x, (box?.y ?? 0) + at.y);
-  await page.keyboard.up("Shift");
-  await expect(page.getByTestId("inspector")).toContainText("4 points, closed");
-  await page.keyboard.press("s");
-  await choose(page, "point", [9, 10, 11, 12]);
-  await page.keyboard.press("Shift+S");
-  await expect(page.getByTestId("line-closed")).toBeChecked();
-  await expect(page.getByTestId("line-points")).toHaveValue("9, 10, 11, 12, 9");
-  await choose(page, "point", [5, 9]);
-  await page.keyboard.press("l");
-  // Create the face with the hole, the other faces, the wall of the bore and its end.
-  await choose(page, "line", [1, 2, 3, 7]);
-  await page.getByTestId("create-patch-barnhill-gregory-nielson").click();
-  await expect(page.getByTestId("patch-loop-1")).toBeVisible();
-  for (const sides of [[1, 4, 5], [2, 5, 6], [3, 4, 6], [7, 8, 9], [8]]) {
-    // prettier-ignore
-    await choose(page, "line", sides);
-    await page.keyboard.press("a");
-  }
-  await page.keyboard.press("Escape");
-  await page.getByText("Uniform", { exact: true }).click();
-  await app.type("uniform-size", "0.25");
-  expect((await app.generate()).tets).toBeGreaterThan(100);
-  const { patches, meshing } = await savedProject(page);
-  expect(patches.map(({ type }) => type)).toEqual([
-    "barnhill-gregory-nielson",
-    ...["planar", "planar", "planar"],
-    "coons",
-    "planar",
-  ]);
-  expect(meshing).toEqual({ size: 0.25 });
-  const { mesh, defects, boundaryFaces } = await savedMesh(page);
-  const { extraFaces: _, ...none } = NO_DEFECTS;
-  expect(defects).toEqual(none);
-  expect(boundaryFaces).toBeGreaterThan(100);
-  // The volume of the bore lies between that of the square inscribed in its rim and that of the circumscribed
-  // circle.
-  const bore = 8 / 6 - meshVolume(mesh);
-  expect(bore).toBeGreaterThan(0.25 * 0.18);
-  expect(bore).toBeLessThan(0.25 * Math.PI * 0.09);
-});
+    // Create the face with the hole, the other faces, the wall of the bore and its end.
+    await choose(page, "line", [1, 2, 3, 7]);
+    await page.getByTestId("create-patch-barnhill-gregory-nielson").click();
+    await expect(page.getByTestId("patch-loop-1")).toBeVisible();
+    for (const sides of [[1, 4, 5], [2, 5, 6], [3, 4, 6], [7, 8, 9], [8]]) {
+      // prettier-ignore
+      await choose(page, "line", sides);
+      await page.keyboard.press("a");
+    }
+    await page.keyboard.press("Escape");
+    await page.getByText("Uniform", { exact: true }).click();
+    await app.type("uniform-size", "0.25");
+    expect((await app.generate()).tets).toBeGreaterThan(100);
+    const { patches, meshing } = await savedProject(page);
+    expect(patches.map(({ type }) => type)).toEqual([
+      "barnhill-gregory-nielson",
+      ...["planar", "planar", "planar"],
+      "coons",
+      "planar",
+    ]);
+    expect(meshing).toEqual({ size: 0.25 });
+    const { mesh, defects, boundaryFaces } = await savedMesh(page);
+    const { extraFaces: _, ...none } = NO_DEFECTS;
+    expect(defects).toEqual(none);
+    expect(boundaryFaces).toBeGreaterThan(100);
+    // The volume of the bore lies between that of the square inscribed in its rim and that of the circumscribed
+    // circle.
+    const bore = 8 / 6 - meshVolume(mesh);
+    expect(bore).toBeGreaterThan(0.25 * 0.18);
+    expect(bore).toBeLessThan(0.25 * Math.PI * 0.09);
+  },
+);
 
-test("the inspector closes a spline and opens it again", async ({ page }) => {
+sharedTest("the inspector closes a spline and opens it again", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-point").click();
@@ -428,7 +440,7 @@ test("the inspector closes a spline and opens it again", async ({ page }) => {
   await expect(points).toHaveValue("1, 2, 7, 5");
 });
 
-test("two circles are joined by a tube, and a circle becomes an arc", async ({ page }) => {
+sharedTest("two circles are joined by a tube, and a circle becomes an arc", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-point").click();
@@ -555,16 +567,17 @@ test("the view shows the lines and directions of a Coons patch", async ({ page }
   await expect.poll(overlaps).toEqual([]);
 });
 
-test("a complete model without sizes is meshed with a size that fits it, as a step of undo", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const { background: _, ...cube } = sampleProject("unit-cube");
-  await app.openFile("sizeless.json", JSON.stringify({ ...cube, name: "Sizeless" }));
-  await expect(page.getByTestId("project-name")).toHaveValue("Sizeless");
-  await expect(app.viewport).toHaveAttribute("data-problems", /[1-9]/);
-  await generateButton(page).click();
-  await app.meshed();
-  await expect(undoButton(page)).toHaveAccessibleName(/Set uniform size/);
-});
+sharedTest(
+  "a complete model without sizes is meshed with a size that fits it, as a step of undo",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const { background: _, ...cube } = sampleProject("unit-cube");
+    await app.openFile("sizeless.json", JSON.stringify({ ...cube, name: "Sizeless" }));
+    await expect(page.getByTestId("project-name")).toHaveValue("Sizeless");
+    await expect(app.viewport).toHaveAttribute("data-problems", /[1-9]/);
+    await generateButton(page).click();
+    await app.meshed();
+    await expect(undoButton(page)).toHaveAccessibleName(/Set uniform size/);
+  },
+);

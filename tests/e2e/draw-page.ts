@@ -2,7 +2,7 @@ import { expect } from "@playwright/test";
 import { defectsOf } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { readProject } from "tetrafront/project";
-import { countActions, expectActions } from "./actions";
+import { countActions, expectActions, forgetActions } from "./actions";
 import { AppPage, type Position } from "./app-page";
 import { downloaded } from "./downloads";
 import { downloadMesh } from "./downloads";
@@ -10,6 +10,12 @@ import { downloadMesh } from "./downloads";
 /** The view of a new project, drawn in with the pointer and the keyboard alone. */
 export class DrawPage extends AppPage {
   async openNew(): Promise<void> {
+    if (await this.openEmptyAgain()) {
+      await this.page.getByTestId("tool-line").click();
+      await this.page.getByTestId("drawing-bar").getByText("straight", { exact: true }).click();
+      await this.page.getByTestId("tool-select").click();
+      return forgetActions(this.page);
+    }
     await countActions(this.page);
     await this.page.addInitScript(() => {
       Reflect.deleteProperty(window, "showOpenFilePicker");

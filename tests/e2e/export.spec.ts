@@ -1,46 +1,50 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { parseVtu } from "../support/mesh-files";
 import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat, downloadMesh } from "./downloads";
+import { sharedTest } from "./shared-page";
 
-test("one dialog exports the mesh: format, order, encoding and what the file keeps", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("menuitem", { name: "File" }).click();
-  await expect(page.getByRole("menuitem", { name: /Download mesh as|Export mesh…/ })).toHaveCount(1);
-  await page.keyboard.press("Escape");
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Control+Shift+E");
-  const dialog = page.getByRole("dialog", { name: "Export mesh" });
-  const file = dialog.getByTestId("export-file");
-  await expect(file).toContainText("unit-cube.vtu");
-  const keeps = dialog.getByTestId("export-keeps");
-  await expect(keeps).toContainText("tetrahedra and the triangles of the boundary, linear");
-  await dialog.getByText("Second order", { exact: true }).click();
-  await expect(keeps).toContainText("second order");
+sharedTest(
+  "one dialog exports the mesh: format, order, encoding and what the file keeps",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.getByRole("menuitem", { name: "File" }).click();
+    await expect(page.getByRole("menuitem", { name: /Download mesh as|Export mesh…/ })).toHaveCount(1);
+    await page.keyboard.press("Escape");
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+Shift+E");
+    const dialog = page.getByRole("dialog", { name: "Export mesh" });
+    const file = dialog.getByTestId("export-file");
+    await expect(file).toContainText("unit-cube.vtu");
+    const keeps = dialog.getByTestId("export-keeps");
+    await expect(keeps).toContainText("tetrahedra and the triangles of the boundary, linear");
+    await dialog.getByText("Second order", { exact: true }).click();
+    await expect(keeps).toContainText("second order");
 
-  await dialog.getByRole("radio", { name: /^UGRID/ }).check();
-  await expect(keeps).toContainText("linear");
-  await expect(keeps).toContainText("numbers only");
-  await dialog.getByTestId("export-encoding").getByText("Text", { exact: true }).click();
-  await expect(file).toContainText("unit-cube.ugrid");
-  await dialog.getByRole("radio", { name: /^STL/ }).check();
-  await expect(keeps).toContainText("single precision");
-  await expect(keeps).toContainText("numbers only");
-  await expect(dialog.getByRole("radio", { name: "Second order" })).toBeDisabled();
-  await dialog.getByRole("radio", { name: /^UGRID/ }).check();
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    dialog.getByRole("button", { name: "Export", exact: true }).click(),
-  ]);
-  await expect(dialog).toBeHidden();
-  expect(download.suggestedFilename()).toBe("unit-cube.ugrid");
-  const [nodes] = (await readFile(await download.path(), "utf8")).split(/\s+/).map(Number);
-  expect(await page.getByTestId("count-points").textContent()).toContain(String(nodes));
-});
+    await dialog.getByRole("radio", { name: /^UGRID/ }).check();
+    await expect(keeps).toContainText("linear");
+    await expect(keeps).toContainText("numbers only");
+    await dialog.getByTestId("export-encoding").getByText("Text", { exact: true }).click();
+    await expect(file).toContainText("unit-cube.ugrid");
+    await dialog.getByRole("radio", { name: /^STL/ }).check();
+    await expect(keeps).toContainText("single precision");
+    await expect(keeps).toContainText("numbers only");
+    await expect(dialog.getByRole("radio", { name: "Second order" })).toBeDisabled();
+    await dialog.getByRole("radio", { name: /^UGRID/ }).check();
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      dialog.getByRole("button", { name: "Export", exact: true }).click(),
+    ]);
+    await expect(dialog).toBeHidden();
+    expect(download.suggestedFilename()).toBe("unit-cube.ugrid");
+    const [nodes] = (await readFile(await download.path(), "utf8")).split(/\s+/).map(Number);
+    expect(await page.getByTestId("count-points").textContent()).toContain(String(nodes));
+  },
+);
 
-test("on a phone, the buttons are in sight however the choices are scrolled", async ({ page }) => {
+sharedTest("on a phone, the buttons are in sight however the choices are scrolled", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await new AppPage(page).openCube();
   await page.getByTestId("viewport-canvas").focus();
@@ -55,7 +59,7 @@ test("on a phone, the buttons are in sight however the choices are scrolled", as
   }
 });
 
-test("lengths are exported in the unit that is chosen", async ({ page }) => {
+sharedTest("lengths are exported in the unit that is chosen", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const given = parseVtu(await downloadMesh(page, /^VTU/));
@@ -73,30 +77,31 @@ test("lengths are exported in the unit that is chosen", async ({ page }) => {
 });
 
 for (const width of [1440, 390]) {
-  test(`every label of the dialog is whole in a window of ${width} pixels, with and without a unit`, async ({
-    page,
-  }) => {
-    await page.setViewportSize({ width, height: 844 });
-    const app = new AppPage(page);
-    await app.openCube();
-    const { units: _, ...without } = sampleProject("unit-cube");
-    for (const project of [sampleProject("unit-cube"), { ...without, name: "no unit" }]) {
-      await app.openFile("model.json", JSON.stringify(project));
-      await app.meshed();
-      await page.getByTestId("viewport-canvas").focus();
-      await page.keyboard.press("Control+Shift+E");
-      const dialog = page.getByRole("dialog", { name: "Export mesh" });
-      await expect(dialog.getByTestId("export-apply")).toBeVisible();
-      const cut = await dialog
-        .locator("input, label, button, dd, dt, span, strong")
-        .evaluateAll((all) =>
-          all
-            .filter(({ scrollWidth, clientWidth }) => clientWidth > 0 && scrollWidth > clientWidth + 1)
-            .map(({ outerHTML }) => outerHTML),
-        );
-      expect(cut).toEqual([]);
-      await page.keyboard.press("Escape");
-      await expect(dialog).toBeHidden();
-    }
-  });
+  sharedTest(
+    `every label of the dialog is whole in a window of ${width} pixels, with and without a unit`,
+    async ({ page }) => {
+      await page.setViewportSize({ width, height: 844 });
+      const app = new AppPage(page);
+      await app.openCube();
+      const { units: _, ...without } = sampleProject("unit-cube");
+      for (const project of [sampleProject("unit-cube"), { ...without, name: "no unit" }]) {
+        await app.openFile("model.json", JSON.stringify(project));
+        await app.meshed();
+        await page.getByTestId("viewport-canvas").focus();
+        await page.keyboard.press("Control+Shift+E");
+        const dialog = page.getByRole("dialog", { name: "Export mesh" });
+        await expect(dialog.getByTestId("export-apply")).toBeVisible();
+        const cut = await dialog
+          .locator("input, label, button, dd, dt, span, strong")
+          .evaluateAll((all) =>
+            all
+              .filter(({ scrollWidth, clientWidth }) => clientWidth > 0 && scrollWidth > clientWidth + 1)
+              .map(({ outerHTML }) => outerHTML),
+          );
+        expect(cut).toEqual([]);
+        await page.keyboard.press("Escape");
+        await expect(dialog).toBeHidden();
+      }
+    },
+  );
 }

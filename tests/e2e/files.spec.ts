@@ -6,6 +6,7 @@ import { polyMeshDefects, readPolyMesh } from "../support/poly-mesh";
 import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat } from "./downloads";
 import { undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 interface Downloaded {
   readonly name: string;
@@ -41,36 +42,37 @@ async function dropProject(page: Page, text: string, fileName = "dropped.json"):
   );
 }
 
-test("the downloaded VTU, MSH and polyMesh files have the numbers of elements shown on the page", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.open();
-  const { tets } = await app.mesh();
-  const points = Number((await page.getByTestId("count-points").textContent())?.replaceAll(/\D/g, ""));
+sharedTest(
+  "the downloaded VTU, MSH and polyMesh files have the numbers of elements shown on the page",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open();
+    const { tets } = await app.mesh();
+    const points = Number((await page.getByTestId("count-points").textContent())?.replaceAll(/\D/g, ""));
 
-  const vtu = await downloaded(page, choose(page, /VTU/));
-  expect(vtu.name).toBe("engine-intake.vtu");
-  const vtuMesh = parseVtu(vtu.bytes);
-  expect(vtuMesh.tetrahedra).toHaveLength(tets);
-  expect(vtuMesh.points.length / 3).toBe(points);
+    const vtu = await downloaded(page, choose(page, /VTU/));
+    expect(vtu.name).toBe("engine-intake.vtu");
+    const vtuMesh = parseVtu(vtu.bytes);
+    expect(vtuMesh.tetrahedra).toHaveLength(tets);
+    expect(vtuMesh.points.length / 3).toBe(points);
 
-  const msh = await downloaded(page, choose(page, /MSH 4/));
-  expect(msh.name).toBe("engine-intake.msh");
-  const mshMesh = parseMsh(msh.bytes);
-  expect(mshMesh.tetrahedra.flatMap(({ elements }) => elements)).toHaveLength(tets);
-  expect(mshMesh.points.length / 3).toBe(points);
-  expect(mshMesh.triangles.map(({ name }) => name)).toContain("duct top");
+    const msh = await downloaded(page, choose(page, /MSH 4/));
+    expect(msh.name).toBe("engine-intake.msh");
+    const mshMesh = parseMsh(msh.bytes);
+    expect(mshMesh.tetrahedra.flatMap(({ elements }) => elements)).toHaveLength(tets);
+    expect(mshMesh.points.length / 3).toBe(points);
+    expect(mshMesh.triangles.map(({ name }) => name)).toContain("duct top");
 
-  const foam = await downloaded(page, choose(page, /OpenFOAM/));
-  expect(foam.name).toBe("engine-intake.foam.zip");
-  const poly = readPolyMesh(foam.bytes);
-  expect(polyMeshDefects(poly)).toEqual([]);
-  expect(new Set([...poly.owner, ...poly.neighbour]).size).toBe(tets);
-  expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
-});
+    const foam = await downloaded(page, choose(page, /OpenFOAM/));
+    expect(foam.name).toBe("engine-intake.foam.zip");
+    const poly = readPolyMesh(foam.bytes);
+    expect(polyMeshDefects(poly)).toEqual([]);
+    expect(new Set([...poly.owner, ...poly.neighbour]).size).toBe(tets);
+    expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
+  },
+);
 
-test("the report of the run can be downloaded", async ({ page }) => {
+sharedTest("the report of the run can be downloaded", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
@@ -79,7 +81,7 @@ test("the report of the run can be downloaded", async ({ page }) => {
   expect(JSON.parse(text)).toMatchObject({ status: "done", tetrahedra: tets, fingerprint });
 });
 
-test("a saved project reopens unchanged", async ({ page }) => {
+sharedTest("a saved project reopens unchanged", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-2");
@@ -97,7 +99,7 @@ test("a saved project reopens unchanged", async ({ page }) => {
   expect(await app.meshed()).toEqual(edited);
 });
 
-test("an invalid project file is rejected with the reason", async ({ page }) => {
+sharedTest("an invalid project file is rejected with the reason", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.mesh();
@@ -111,7 +113,7 @@ test("an invalid project file is rejected with the reason", async ({ page }) => 
   expect(await app.meshed()).toEqual(before);
 });
 
-test("dropping a project file on the page opens it", async ({ page }) => {
+sharedTest("dropping a project file on the page opens it", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.mesh();
@@ -123,19 +125,22 @@ test("dropping a project file on the page opens it", async ({ page }) => {
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 
-test("dropping a file without a surface shows what is wrong with it and what to do", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.open();
-  await dropProject(page, "solid part", "part.STL");
-  const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
-  await expect(surface).toContainText("line 2: the file is truncated");
-  await expect(surface).toContainText("Export, copy or download the file again");
-  await dropProject(page, "1 4 0\n1 1 2 3 4\n", "part.ele");
-  const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
-  await expect(volume).toContainText("part.node");
-});
+sharedTest(
+  "dropping a file without a surface shows what is wrong with it and what to do",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open();
+    await dropProject(page, "solid part", "part.STL");
+    const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
+    await expect(surface).toContainText("line 2: the file is truncated");
+    await expect(surface).toContainText("Export, copy or download the file again");
+    await dropProject(page, "1 4 0\n1 1 2 3 4\n", "part.ele");
+    const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
+    await expect(volume).toContainText("part.node");
+  },
+);
 
-test("the next successful open hides the message of a failed one", async ({ page }) => {
+sharedTest("the next successful open hides the message of a failed one", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await dropProject(page, "no project");
@@ -166,25 +171,6 @@ test("an immediate reload keeps the last edit, and the last undo", async ({ page
   await expect(size).toHaveValue("0.2");
 });
 
-test("two tabs keep their own projects after a reload", async ({ page, context }) => {
-  const first = new AppPage(page);
-  const cube = await first.openCube();
-  await first.select("point-1");
-  await first.type("entity-name", "mine");
-  await expect(first.viewport).toHaveAttribute("data-autosaved", "true");
-  const second = new AppPage(await context.newPage());
-  await second.page.goto("./?test=1");
-  await expect(second.viewport).toHaveAttribute("data-frames", /./);
-  await second.openExample("plate-with-hole");
-  await expect(second.viewport).toHaveAttribute("data-autosaved", "true");
-  await page.reload();
-  await first.meshed();
-  await expect(page.getByTestId("project-name")).toHaveValue("Unit cube");
-  expect((await first.mesh()).tets).toBe(cube.tets);
-  await second.page.reload();
-  await expect(second.page.getByTestId("project-name")).toHaveValue("Plate with a hole");
-});
-
 test("a reload keeps an edit and shows that it is unsaved", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
@@ -198,7 +184,7 @@ test("a reload keeps an edit and shows that it is unsaved", async ({ page }) => 
   await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
 });
 
-test("a file of an unknown kind names the formats that can be opened", async ({ page }) => {
+sharedTest("a file of an unknown kind names the formats that can be opened", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await dropProject(page, "some notes", "notes.txt");

@@ -1,8 +1,9 @@
 import { expect, test } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { toggle } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("a model can be opened, edited, meshed and undone without a mouse", async ({ page }) => {
+sharedTest("a model can be opened, edited, meshed and undone without a mouse", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const opening = await app.mesh();
@@ -39,29 +40,30 @@ test("a model can be opened, edited, meshed and undone without a mouse", async (
   expect(await app.meshed()).toEqual(after);
 });
 
-test("menus work with the keyboard, and single-key hotkeys do nothing while the user types", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.open();
-  await page.getByRole("menuitem", { name: "File" }).focus();
-  await page.keyboard.press("ArrowRight");
-  await expect(page.getByRole("menuitem", { name: "Edit" })).toBeFocused();
-  await page.keyboard.press("ArrowRight");
-  await expect(page.getByRole("menuitem", { name: "Create" })).toBeFocused();
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("Enter");
-  await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeChecked();
-  await page.keyboard.press("Escape");
-  const cut = toggle(page, "Cut");
-  await page.getByLabel("Filter (name, type, id)").fill("x");
-  await expect(cut).not.toBeChecked();
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("x");
-  await expect(cut).toBeChecked();
-});
+sharedTest(
+  "menus work with the keyboard, and single-key hotkeys do nothing while the user types",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open();
+    await page.getByRole("menuitem", { name: "File" }).focus();
+    await page.keyboard.press("ArrowRight");
+    await expect(page.getByRole("menuitem", { name: "Edit" })).toBeFocused();
+    await page.keyboard.press("ArrowRight");
+    await expect(page.getByRole("menuitem", { name: "Create" })).toBeFocused();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Enter");
+    await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeChecked();
+    await page.keyboard.press("Escape");
+    const cut = toggle(page, "Cut");
+    await page.getByLabel("Filter (name, type, id)").fill("x");
+    await expect(cut).not.toBeChecked();
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("x");
+    await expect(cut).toBeChecked();
+  },
+);
 
-test("no menu is taller than the screen of a laptop", async ({ page }) => {
+sharedTest("no menu is taller than the screen of a laptop", async ({ page }) => {
   await page.setViewportSize({ width: 1366, height: 768 });
   await new AppPage(page).openCube();
   for (const menu of await page.getByRole("menubar").getByRole("menuitem").all()) {
@@ -75,7 +77,7 @@ test("no menu is taller than the screen of a laptop", async ({ page }) => {
   }
 });
 
-test("help lists every hotkey", async ({ page }) => {
+sharedTest("help lists every hotkey", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await page.keyboard.press("Shift+?");
@@ -112,27 +114,30 @@ test("Ctrl K pressed before the palette has loaded opens it as soon as it has", 
   await expect(page.getByRole("switch", { name: "Cut" })).not.toBeChecked();
 });
 
-test("what is typed right after Ctrl K finds and runs a command, from a field, too", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("tab", { name: "Display" }).click();
-  const plain = page.getByRole("radio", { name: "Plain" });
-  await expect(plain).not.toBeChecked();
-  const filter = page.getByLabel("Filter (name, type, id)");
-  await filter.focus();
-  // In one task, so that the palette cannot have the focus.
-  await page.evaluate(() => {
-    const press = (key: string, ctrlKey = false) =>
-      document.activeElement?.dispatchEvent(
-        new KeyboardEvent("keydown", { key, code: key, ctrlKey, bubbles: true, cancelable: true }),
-      );
-    press("k", true);
-    for (const key of ["p", "l", "a", "x", "Backspace", "i", "n", " ", "s", "h", "Enter"]) press(key);
-  });
-  await expect(plain).toBeChecked();
-  await expect(filter).toHaveValue("");
-  await expect(page.getByRole("dialog", { name: "Search commands" })).toBeHidden();
-});
+sharedTest(
+  "what is typed right after Ctrl K finds and runs a command, from a field, too",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.getByRole("tab", { name: "Display" }).click();
+    const plain = page.getByRole("radio", { name: "Plain" });
+    await expect(plain).not.toBeChecked();
+    const filter = page.getByLabel("Filter (name, type, id)");
+    await filter.focus();
+    // In one task, so that the palette cannot have the focus.
+    await page.evaluate(() => {
+      const press = (key: string, ctrlKey = false) =>
+        document.activeElement?.dispatchEvent(
+          new KeyboardEvent("keydown", { key, code: key, ctrlKey, bubbles: true, cancelable: true }),
+        );
+      press("k", true);
+      for (const key of ["p", "l", "a", "x", "Backspace", "i", "n", " ", "s", "h", "Enter"]) press(key);
+    });
+    await expect(plain).toBeChecked();
+    await expect(filter).toHaveValue("");
+    await expect(page.getByRole("dialog", { name: "Search commands" })).toBeHidden();
+  },
+);
 
 test("a second Ctrl K leaves a palette open that has not appeared yet, and its keys are no commands", async ({
   page,
@@ -154,7 +159,7 @@ test("a second Ctrl K leaves a palette open that has not appeared yet, and its k
   await expect(toggle(page, "Cut")).not.toBeChecked();
 });
 
-test("keys are the palette's even if the focus returns to where it was before", async ({ page }) => {
+sharedTest("keys are the palette's even if the focus returns to where it was before", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.keyboard.press("Control+k");
@@ -178,54 +183,57 @@ test("keys are the palette's even if the focus returns to where it was before", 
   await expect(toggle(page, "Cut")).not.toBeChecked();
 });
 
-test("hotkeys win over the button that has the focus, also after a command of a menu", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const menu = page.getByRole("menu");
-  const choose = async (): Promise<void> => {
+sharedTest(
+  "hotkeys win over the button that has the focus, also after a command of a menu",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const menu = page.getByRole("menu");
+    const choose = async (): Promise<void> => {
+      await page.getByRole("menuitem", { name: "View" }).focus();
+      await page.keyboard.press("Enter");
+      await page.getByRole("menuitem", { name: "Top view" }).click();
+    };
+    const isMeshing = async (): Promise<boolean> =>
+      page.evaluate(() => document.querySelector('[data-testid="log"]')?.textContent !== "");
+    await choose();
+    await page.getByRole("menuitem", { name: "View" }).focus();
+    await page.keyboard.press("Control+Enter");
+    await expect(menu).toHaveCount(0);
+    expect(await isMeshing()).toBe(true);
+    await app.meshed();
+    // In an open menu, too; the menu then closes.
     await page.getByRole("menuitem", { name: "View" }).focus();
     await page.keyboard.press("Enter");
-    await page.getByRole("menuitem", { name: "Top view" }).click();
-  };
-  const isMeshing = async (): Promise<boolean> =>
-    page.evaluate(() => document.querySelector('[data-testid="log"]')?.textContent !== "");
-  await choose();
-  await page.getByRole("menuitem", { name: "View" }).focus();
-  await page.keyboard.press("Control+Enter");
-  await expect(menu).toHaveCount(0);
-  expect(await isMeshing()).toBe(true);
-  await app.meshed();
-  // In an open menu, too; the menu then closes.
-  await page.getByRole("menuitem", { name: "View" }).focus();
-  await page.keyboard.press("Enter");
-  await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeVisible();
-  await page.keyboard.press("Control+k");
-  await expect(page.getByRole("textbox", { name: "Search commands" })).toBeFocused();
-  await page.keyboard.press("Escape");
-  await expect(menu).toHaveCount(0);
-  // The letters of hotkeys do not search the names of closed menus.
-  await page.getByRole("menuitem", { name: "View" }).focus();
-  await page.keyboard.press("x");
-  await expect(toggle(page, "Cut")).toBeChecked();
-  await page.keyboard.press("e");
-  await expect(page.getByRole("menuitem", { name: "View" })).toBeFocused();
-  // Ctrl Enter opens no list, and closes one.
-  const unit = page.getByRole("combobox", { name: "Length unit" });
-  await unit.focus();
-  await page.keyboard.press("Control+Enter");
-  await app.meshed();
-  await expect(page.getByRole("option")).toHaveCount(0);
-  await unit.click();
-  await expect(page.getByRole("option").first()).toBeVisible();
-  await page.keyboard.press("Control+Enter");
-  await app.meshed();
-  await expect(page.getByRole("option")).toHaveCount(0);
-  // It presses no button, either.
-  await page.getByTestId("cut-button").focus();
-  await page.keyboard.press("Control+Enter");
-  await app.meshed();
-  await expect(toggle(page, "Cut")).toBeChecked();
-});
+    await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeVisible();
+    await page.keyboard.press("Control+k");
+    await expect(page.getByRole("textbox", { name: "Search commands" })).toBeFocused();
+    await page.keyboard.press("Escape");
+    await expect(menu).toHaveCount(0);
+    // The letters of hotkeys do not search the names of closed menus.
+    await page.getByRole("menuitem", { name: "View" }).focus();
+    await page.keyboard.press("x");
+    await expect(toggle(page, "Cut")).toBeChecked();
+    await page.keyboard.press("e");
+    await expect(page.getByRole("menuitem", { name: "View" })).toBeFocused();
+    // Ctrl Enter opens no list, and closes one.
+    const unit = page.getByRole("combobox", { name: "Length unit" });
+    await unit.focus();
+    await page.keyboard.press("Control+Enter");
+    await app.meshed();
+    await expect(page.getByRole("option")).toHaveCount(0);
+    await unit.click();
+    await expect(page.getByRole("option").first()).toBeVisible();
+    await page.keyboard.press("Control+Enter");
+    await app.meshed();
+    await expect(page.getByRole("option")).toHaveCount(0);
+    // It presses no button, either.
+    await page.getByTestId("cut-button").focus();
+    await page.keyboard.press("Control+Enter");
+    await app.meshed();
+    await expect(toggle(page, "Cut")).toBeChecked();
+  },
+);
 
 test("hotkeys keep working if the palette cannot be loaded", async ({ page }) => {
   await page.route(/overlays-.*\.js$/, (route) => route.abort());
@@ -241,7 +249,7 @@ test("hotkeys keep working if the palette cannot be loaded", async ({ page }) =>
   await expect(cut).not.toBeChecked();
 });
 
-test("the palette finds a command by words in any order", async ({ page }) => {
+sharedTest("the palette finds a command by words in any order", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.keyboard.press("Control+k");
@@ -275,7 +283,7 @@ test("the palette finds disabled commands with what they need, and does not run 
   await expect(box).toBeHidden();
 });
 
-test("a numeric setting that is chosen in the palette has its field focused", async ({ page }) => {
+sharedTest("a numeric setting that is chosen in the palette has its field focused", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const choose = async (words: string): Promise<void> => {
@@ -339,35 +347,36 @@ test("the palette sets the theme, snapping and the mouse; F2 renames the project
   await expect(page.getByTestId("tree-group-1")).toContainText("everything");
 });
 
-test("a dialog that a menu has opened returns the focus to the menu, and the share dialog takes it", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const dialog = page.getByRole("dialog");
-  const menu = (name: string) => page.getByRole("menuitem", { name, exact: true });
-  const opened = async (name: string, item: string | RegExp): Promise<void> => {
-    await menu(name).click();
-    await page.getByRole("menuitem", { name: item }).click();
-    await expect(dialog).toBeVisible();
-  };
-  // The first time, a dialog is mounted open.
-  for (const [name, item] of [
-    ["Help", /^Help:/],
-    ["File", /^Open recent/],
-    ["Help", /^Help:/],
-  ] as const) {
-    await opened(name, item);
-    await expect(dialog.locator(":focus")).toHaveCount(1);
+sharedTest(
+  "a dialog that a menu has opened returns the focus to the menu, and the share dialog takes it",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const dialog = page.getByRole("dialog");
+    const menu = (name: string) => page.getByRole("menuitem", { name, exact: true });
+    const opened = async (name: string, item: string | RegExp): Promise<void> => {
+      await menu(name).click();
+      await page.getByRole("menuitem", { name: item }).click();
+      await expect(dialog).toBeVisible();
+    };
+    // The first time, a dialog is mounted open.
+    for (const [name, item] of [
+      ["Help", /^Help:/],
+      ["File", /^Open recent/],
+      ["Help", /^Help:/],
+    ] as const) {
+      await opened(name, item);
+      await expect(dialog.locator(":focus")).toHaveCount(1);
+      await page.keyboard.press("Escape");
+      await expect(dialog).toBeHidden();
+      await expect(menu(name)).toBeFocused();
+    }
+    await opened("File", /^Share/);
+    await expect(page.getByTestId("share-link-copy")).toBeFocused();
     await page.keyboard.press("Escape");
-    await expect(dialog).toBeHidden();
-    await expect(menu(name)).toBeFocused();
-  }
-  await opened("File", /^Share/);
-  await expect(page.getByTestId("share-link-copy")).toBeFocused();
-  await page.keyboard.press("Escape");
-  await expect(menu("File")).toBeFocused();
-});
+    await expect(menu("File")).toBeFocused();
+  },
+);
 
 test("the start page is reached by Tab, and returns the focus to the view or to what had it", async ({
   page,

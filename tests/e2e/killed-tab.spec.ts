@@ -2,7 +2,7 @@ import { expect, test, type BrowserContext, type Page } from "@playwright/test";
 import { randomSource } from "../support/random";
 
 /** Moments at which the tab is killed. */
-const moments = 10;
+const moments = 6;
 /** Longest time between the first edit and the end of the tab, in milliseconds. */
 const longest = 900;
 

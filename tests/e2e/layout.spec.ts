@@ -1,9 +1,18 @@
-import { expect, test, type Locator } from "@playwright/test";
+import { expect, test, type Locator, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { DrawPage } from "./draw-page";
 import { generateButton, tab } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
+/** Opens the cube in a window of the size of a phone. */
+async function openOnPhone(page: Page): Promise<AppPage> {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  return app;
+}
+
+sharedTest("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);
   await app.open();
@@ -42,43 +51,44 @@ test("on a phone the panels are drawers, and everything needed can be reached", 
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
-test("on a phone the model is as large as before when a panel is closed, unless the view was zoomed", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  const height = async (): Promise<number> => {
-    const [low, high] = [await app.at([0.5, 0.5, 0]), await app.at([0.5, 0.5, 1])];
-    return low.y - high.y;
-  };
-  const before = await height();
-  const withPanel = async (act: () => Promise<void>): Promise<void> => {
-    const whole = await app.viewport.boundingBox();
-    await page.getByTestId("drawer-right").click();
-    await expect.poll(async () => (await height()) < 0.8 * before).toBe(true);
-    await act();
-    await page.getByRole("button", { name: "Close" }).click();
-    await expect.poll(() => app.viewport.boundingBox()).toEqual(whole);
-  };
-  await withPanel(async () => {
-    // Names of patches and positions of elements are large enough for a finger.
-    await page.getByRole("tab", { name: "Quality" }).click();
-    const buttons = page.getByRole("table").getByRole("button");
-    await expect(buttons.first()).toBeVisible();
-    const heights = await buttons.evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
-    expect(Math.min(...heights)).toBeGreaterThanOrEqual(24);
-  });
-  await expect.poll(height).toBeCloseTo(before, 0);
+sharedTest(
+  "on a phone the model is as large as before when a panel is closed, unless the view was zoomed",
+  async ({ page }) => {
+    const app = await openOnPhone(page);
+    const height = async (): Promise<number> => {
+      const [low, high] = [await app.at([0.5, 0.5, 0]), await app.at([0.5, 0.5, 1])];
+      return low.y - high.y;
+    };
+    const before = await height();
+    const withPanel = async (act: () => Promise<void>): Promise<void> => {
+      const whole = await app.viewport.boundingBox();
+      await page.getByTestId("drawer-right").click();
+      await expect.poll(async () => (await height()) < 0.8 * before).toBe(true);
+      await act();
+      await page.getByRole("button", { name: "Close" }).click();
+      await expect.poll(() => app.viewport.boundingBox()).toEqual(whole);
+    };
+    await withPanel(async () => {
+      // Names of patches and positions of elements are large enough for a finger.
+      await page.getByRole("tab", { name: "Quality" }).click();
+      const buttons = page.getByRole("table").getByRole("button");
+      await expect(buttons.first()).toBeVisible();
+      const heights = await buttons.evaluateAll((all) =>
+        all.map((one) => one.getBoundingClientRect().height),
+      );
+      expect(Math.min(...heights)).toBeGreaterThanOrEqual(24);
+    });
+    await expect.poll(height).toBeCloseTo(before, 0);
 
-  const { x, y } = await app.at([0.5, 0.5, 0.5]);
-  await page.mouse.move(x, y);
-  await page.mouse.wheel(0, 400);
-  await expect.poll(height).toBeLessThan(0.9 * before);
-  const zoomed = await height();
-  await withPanel(() => Promise.resolve());
-  await expect.poll(height).toBeCloseTo(zoomed, 0);
-});
+    const { x, y } = await app.at([0.5, 0.5, 0.5]);
+    await page.mouse.move(x, y);
+    await page.mouse.wheel(0, 400);
+    await expect.poll(height).toBeLessThan(0.9 * before);
+    const zoomed = await height();
+    await withPanel(() => Promise.resolve());
+    await expect.poll(height).toBeCloseTo(zoomed, 0);
+  },
+);
 
 test("on a screen of usual width, the controls of the player take one row above its bar and one below", async ({
   page,
@@ -86,33 +96,19 @@ test("on a screen of usual width, the controls of the player take one row above 
   await page.setViewportSize({ width: 1440, height: 900 });
   await page.goto("./?test=1&model=unit-cube&step=1223");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "1223");
-  const centre = async (testId: string): Promise<number> => {
-    const box = await page.getByTestId(testId).boundingBox();
+  const centre = async (part: string): Promise<number> => {
+    const box = await page.getByTestId(`player-${part}`).boundingBox();
     return (box?.y ?? NaN) + (box?.height ?? NaN) / 2;
   };
-  const above = [
-    "player-start",
-    "player-counter",
-    "player-speed",
-    "player-follow",
-    "player-film",
-    "player-close",
-  ];
-  const below = [
-    "player-before",
-    "player-kind",
-    "player-stop-at",
-    "player-coloring",
-    "player-elements",
-    "player-region",
-  ];
+  const above = ["start", "counter", "speed", "follow", "film", "close"];
+  const below = ["before", "kind", "stop-at", "coloring", "elements", "region"];
   for (const row of [above, below]) {
     const centres = await Promise.all(row.map(centre));
     expect(Math.max(...centres) - Math.min(...centres), row.join(" ")).toBeLessThan(8);
   }
 });
 
-test("a notice is in the view, and covers nothing of the panels below", async ({ page }) => {
+sharedTest("a notice is in the view, and covers nothing of the panels below", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("viewport-canvas").focus();
@@ -125,7 +121,7 @@ test("a notice is in the view, and covers nothing of the panels below", async ({
   expect(lowerEnd(box)).toBeLessThan(lowerEnd(view));
 });
 
-test("a notice covers nothing of a drawer at the lower end of the page", async ({ page }) => {
+sharedTest("a notice covers nothing of a drawer at the lower end of the page", async ({ page }) => {
   await page.setViewportSize({ width: 1000, height: 800 });
   const app = new AppPage(page);
   await app.openCube();
@@ -141,9 +137,7 @@ test("a notice covers nothing of a drawer at the lower end of the page", async (
 test("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
   page,
 }) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
+  const app = await openOnPhone(page);
   const boxOf = async (locator: Locator) => {
     const box = await locator.boundingBox();
     if (!box) throw new Error("Not shown");
@@ -208,34 +202,35 @@ test("on a phone a new piece is in view as a whole, beside the column of tools",
   expect(right - left).toBeGreaterThan(200);
 });
 
-test("the panel of a piece covers nothing of its preview, neither in an empty project nor beside a model", async ({
-  page,
-}) => {
-  const draw = new DrawPage(page);
-  await draw.openNew();
-  const corners = [-0.5, 0.5].flatMap((x) =>
-    [-0.5, 0.5].flatMap((y) => [0, 1].map((z) => [x, y, z] as const)),
-  );
-  const gap = async (shift: number): Promise<number> => {
-    const panel = await page.getByTestId("operation").boundingBox();
-    const places = await Promise.all(corners.map(([x, y, z]) => draw.at([x + shift, y, z])));
-    return Math.min(...places.map(({ x }) => x)) - ((panel?.x ?? NaN) + (panel?.width ?? NaN));
-  };
-  await page.getByTestId("create-box").click();
-  await expect.poll(() => gap(0)).toBeGreaterThan(0);
-  await page.getByTestId("accept").click();
-  await draw.counts(8, 12, 6);
-  await page.keyboard.press("Escape");
-  const before = await draw.at([-0.5, 0, 0]);
-  await page.getByTestId("create-box").click();
-  await page.getByTestId("operation-position-x").fill("-3");
-  await draw.counts(16, 24, 12);
-  await expect.poll(() => gap(-3)).toBeGreaterThan(0);
-  await page.keyboard.press("Escape");
-  await draw.counts(8, 12, 6);
-  await page.keyboard.press("f");
-  await expect.poll(async () => Math.abs((await draw.at([-0.5, 0, 0])).x - before.x)).toBeLessThan(2);
-});
+sharedTest(
+  "the panel of a piece covers nothing of its preview, neither in an empty project nor beside a model",
+  async ({ page }) => {
+    const draw = new DrawPage(page);
+    await draw.openNew();
+    const corners = [-0.5, 0.5].flatMap((x) =>
+      [-0.5, 0.5].flatMap((y) => [0, 1].map((z) => [x, y, z] as const)),
+    );
+    const gap = async (shift: number): Promise<number> => {
+      const panel = await page.getByTestId("operation").boundingBox();
+      const places = await Promise.all(corners.map(([x, y, z]) => draw.at([x + shift, y, z])));
+      return Math.min(...places.map(({ x }) => x)) - ((panel?.x ?? NaN) + (panel?.width ?? NaN));
+    };
+    await page.getByTestId("create-box").click();
+    await expect.poll(() => gap(0)).toBeGreaterThan(0);
+    await page.getByTestId("accept").click();
+    await draw.counts(8, 12, 6);
+    await page.keyboard.press("Escape");
+    const before = await draw.at([-0.5, 0, 0]);
+    await page.getByTestId("create-box").click();
+    await page.getByTestId("operation-position-x").fill("-3");
+    await draw.counts(16, 24, 12);
+    await expect.poll(() => gap(-3)).toBeGreaterThan(0);
+    await page.keyboard.press("Escape");
+    await draw.counts(8, 12, 6);
+    await page.keyboard.press("f");
+    await expect.poll(async () => Math.abs((await draw.at([-0.5, 0, 0])).x - before.x)).toBeLessThan(2);
+  },
+);
 
 test.describe("by touch", () => {
   test.use({ hasTouch: true });
@@ -300,40 +295,41 @@ test.describe("by touch", () => {
   });
 });
 
-test("the view stays while lines are drawn within it, and a model that outgrows it is fitted beside the tools", async ({
-  page,
-}) => {
-  const draw = new DrawPage(page);
-  await draw.openNew();
-  await page.getByTestId("tool-line").click();
-  await draw.click([0, 0, 0]);
-  await draw.click([2, 0, 0]);
-  const before = await draw.at([0, 0, 0]);
-  // The fourth corner of the box of these points is outside.
-  await draw.click([0, 2, 0]);
-  await draw.counts(3, 2, 0);
-  expect(await draw.at([0, 0, 0])).toEqual(before);
-  await draw.typeCoordinates("0,2,9");
-  await draw.counts(4, 3, 0);
-  await expect.poll(() => draw.at([0, 0, 0])).not.toEqual(before);
-  const column = await page.getByRole("toolbar", { name: "Tools" }).last().boundingBox();
-  const view = await draw.viewport.boundingBox();
-  for (const point of [
-    [0, 0, 0],
-    [2, 0, 0],
-    [0, 2, 0],
-    [0, 2, 9],
-  ] as const) {
-    // prettier-ignore
-    const { x, y } = await draw.at(point);
-    expect(x).toBeGreaterThan((column?.x ?? Infinity) + (column?.width ?? 0));
-    expect(x).toBeLessThan((view?.x ?? 0) + (view?.width ?? 0));
-    expect(y).toBeGreaterThan(view?.y ?? Infinity);
-    expect(y).toBeLessThan((view?.y ?? 0) + (view?.height ?? 0));
-  }
-});
+sharedTest(
+  "the view stays while lines are drawn within it, and a model that outgrows it is fitted beside the tools",
+  async ({ page }) => {
+    const draw = new DrawPage(page);
+    await draw.openNew();
+    await page.getByTestId("tool-line").click();
+    await draw.click([0, 0, 0]);
+    await draw.click([2, 0, 0]);
+    const before = await draw.at([0, 0, 0]);
+    // The fourth corner of the box of these points is outside.
+    await draw.click([0, 2, 0]);
+    await draw.counts(3, 2, 0);
+    expect(await draw.at([0, 0, 0])).toEqual(before);
+    await draw.typeCoordinates("0,2,9");
+    await draw.counts(4, 3, 0);
+    await expect.poll(() => draw.at([0, 0, 0])).not.toEqual(before);
+    const column = await page.getByRole("toolbar", { name: "Tools" }).last().boundingBox();
+    const view = await draw.viewport.boundingBox();
+    for (const point of [
+      [0, 0, 0],
+      [2, 0, 0],
+      [0, 2, 0],
+      [0, 2, 9],
+    ] as const) {
+      // prettier-ignore
+      const { x, y } = await draw.at(point);
+      expect(x).toBeGreaterThan((column?.x ?? Infinity) + (column?.width ?? 0));
+      expect(x).toBeLessThan((view?.x ?? 0) + (view?.width ?? 0));
+      expect(y).toBeGreaterThan(view?.y ?? Infinity);
+      expect(y).toBeLessThan((view?.y ?? 0) + (view?.height ?? 0));
+    }
+  },
+);
 
-test("what to draw next is never under the notice that the mesh is out of date", async ({ page }) => {
+sharedTest("what to draw next is never under the notice that the mesh is out of date", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tool-line").click();
@@ -351,31 +347,32 @@ test("what to draw next is never under the notice that the mesh is out of date",
   }
 });
 
-test("the notice that the mesh is out of date is short while something is moved, and a click passes it", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await app.select("point-1");
-  await app.type("position-x", "0.25");
-  const badge = page.getByTestId("mesh-badge");
-  const wide = (await badge.boundingBox())?.width ?? 0;
-  await page.getByTestId("tool-move").click();
-  await expect.poll(async () => (await badge.boundingBox())?.width ?? 0).toBeLessThan(0.6 * wide);
-  // What is hidden stays for screen readers, and the button, which takes the pointer, shows it.
-  const title = (await badge.getByRole("button").getAttribute("title")) ?? "";
-  expect(title).not.toBe("");
-  await expect(badge.getByText(title)).not.toHaveCSS("display", "none");
-  expect((await badge.getByText(title).boundingBox())?.width).toBe(1);
-  const text = await badge.locator("b").boundingBox();
-  if (!text) throw new Error("The notice has no title");
-  const [x, y] = [text.x + text.width / 2, text.y + text.height / 2];
-  const under = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.tagName, [x, y] as const);
-  expect(under).toBe("CANVAS");
-  await badge.getByRole("button").click({ trial: true });
-});
+sharedTest(
+  "the notice that the mesh is out of date is short while something is moved, and a click passes it",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await app.select("point-1");
+    await app.type("position-x", "0.25");
+    const badge = page.getByTestId("mesh-badge");
+    const wide = (await badge.boundingBox())?.width ?? 0;
+    await page.getByTestId("tool-move").click();
+    await expect.poll(async () => (await badge.boundingBox())?.width ?? 0).toBeLessThan(0.6 * wide);
+    // What is hidden stays for screen readers, and the button, which takes the pointer, shows it.
+    const title = (await badge.getByRole("button").getAttribute("title")) ?? "";
+    expect(title).not.toBe("");
+    await expect(badge.getByText(title)).not.toHaveCSS("display", "none");
+    expect((await badge.getByText(title).boundingBox())?.width).toBe(1);
+    const text = await badge.locator("b").boundingBox();
+    if (!text) throw new Error("The notice has no title");
+    const [x, y] = [text.x + text.width / 2, text.y + text.height / 2];
+    const under = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.tagName, [x, y] as const);
+    expect(under).toBe("CANVAS");
+    await badge.getByRole("button").click({ trial: true });
+  },
+);
 
-test("a reason for a refused coordinate takes the width of all three fields", async ({ page }) => {
+sharedTest("a reason for a refused coordinate takes the width of all three fields", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("point-1");
@@ -391,75 +388,70 @@ test("a reason for a refused coordinate takes the width of all three fields", as
   expect(await field.boundingBox()).toEqual(before);
 });
 
-test("on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("button", { name: "Menu" }).click();
-  await page.getByRole("menuitem", { name: "Search commands" }).click();
-  await page.getByRole("textbox", { name: "Search commands" }).fill("NACA");
-  await page.keyboard.press("Enter");
-  const panel = page.getByTestId("operation");
-  await expect(panel).toContainText("NACA");
-  for (const button of [panel.getByRole("button", { name: "Cancel" }), page.getByTestId("accept")]) {
-    await expect(button).toBeInViewport({ ratio: 1 });
-    const isOnTop = await button.evaluate((element) => {
-      const { x, y, width, height } = element.getBoundingClientRect();
-      const parts = [0.1, 0.3, 0.5, 0.7, 0.9];
-      return parts.every((part) =>
-        element.contains(document.elementFromPoint(x + part * width, y + height / 2)),
-      );
-    });
-    expect(isOnTop).toBe(true);
-  }
-  await panel.getByRole("button", { name: "Cancel" }).click();
-  await expect(panel).toBeHidden();
-});
+sharedTest(
+  "on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields",
+  async ({ page }) => {
+    await openOnPhone(page);
+    await page.getByRole("button", { name: "Menu" }).click();
+    await page.getByRole("menuitem", { name: "Search commands" }).click();
+    await page.getByRole("textbox", { name: "Search commands" }).fill("NACA");
+    await page.keyboard.press("Enter");
+    const panel = page.getByTestId("operation");
+    await expect(panel).toContainText("NACA");
+    for (const button of [panel.getByRole("button", { name: "Cancel" }), page.getByTestId("accept")]) {
+      await expect(button).toBeInViewport({ ratio: 1 });
+      const isOnTop = await button.evaluate((element) => {
+        const { x, y, width, height } = element.getBoundingClientRect();
+        const parts = [0.1, 0.3, 0.5, 0.7, 0.9];
+        return parts.every((part) =>
+          element.contains(document.elementFromPoint(x + part * width, y + height / 2)),
+        );
+      });
+      expect(isOnTop).toBe(true);
+    }
+    await panel.getByRole("button", { name: "Cancel" }).click();
+    await expect(panel).toBeHidden();
+  },
+);
 
-test("on a phone several entities are selected by taps, in one go from the menu to the view", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("button", { name: "Menu" }).click();
-  await page.getByRole("menuitem", { name: "Edit", exact: true }).click();
-  await page.getByRole("menuitemcheckbox", { name: /Select several/ }).click();
-  await expect(page.getByRole("menu")).toBeHidden();
-  for (const corner of [[0, 0, 0], [1, 0, 0], [1, 1, 1]] as const) await app.click(corner); // prettier-ignore
-  await page.getByTestId("drawer-right").click();
-  await expect(page.getByTestId("inspector")).toContainText("3 entities selected");
-});
+sharedTest(
+  "on a phone several entities are selected by taps, in one go from the menu to the view",
+  async ({ page }) => {
+    const app = await openOnPhone(page);
+    await page.getByRole("button", { name: "Menu" }).click();
+    await page.getByRole("menuitem", { name: "Edit", exact: true }).click();
+    await page.getByRole("menuitemcheckbox", { name: /Select several/ }).click();
+    await expect(page.getByRole("menu")).toBeHidden();
+    for (const corner of [[0, 0, 0], [1, 0, 0], [1, 1, 1]] as const) await app.click(corner); // prettier-ignore
+    await page.getByTestId("drawer-right").click();
+    await expect(page.getByTestId("inspector")).toContainText("3 entities selected");
+  },
+);
 
-test("on a phone the number of problems is beside the button of their list, and a marker opens what is wrong", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  const button = page.getByTestId("drawer-bottom");
-  await expect(button).toHaveAccessibleName("Log and problems");
-  await button.click();
-  const drawer = page.getByRole("dialog");
-  await drawer.getByRole("button", { name: "Close" }).click();
-  await app.click([0.9, 0, 0.1]);
-  await page.keyboard.press("Delete");
-  await expect(button).toHaveAccessibleName("Log and problems: 4");
-  await expect(button).toContainText("4");
-  await generateButton(page).click();
-  await page.getByTestId("marker-0").click();
-  await expect(drawer).toContainText("The surface is not closed");
-  // The view with the problem is above the drawer.
-  const [view, cover] = [await app.viewport.boundingBox(), await drawer.boundingBox()];
-  expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((cover?.y ?? 0) + 1);
-});
+sharedTest(
+  "on a phone the number of problems is beside the button of their list, and a marker opens what is wrong",
+  async ({ page }) => {
+    const app = await openOnPhone(page);
+    const button = page.getByTestId("drawer-bottom");
+    await expect(button).toHaveAccessibleName("Log and problems");
+    await button.click();
+    const drawer = page.getByRole("dialog");
+    await drawer.getByRole("button", { name: "Close" }).click();
+    await app.click([0.9, 0, 0.1]);
+    await page.keyboard.press("Delete");
+    await expect(button).toHaveAccessibleName("Log and problems: 4");
+    await expect(button).toContainText("4");
+    await generateButton(page).click();
+    await page.getByTestId("marker-0").click();
+    await expect(drawer).toContainText("The surface is not closed");
+    // The view with the problem is above the drawer.
+    const [view, cover] = [await app.viewport.boundingBox(), await drawer.boundingBox()];
+    expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((cover?.y ?? 0) + 1);
+  },
+);
 
-test("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
+sharedTest("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
+  await openOnPhone(page);
   await page.getByRole("button", { name: "Menu" }).click();
   const menu = page.getByRole("menu");
   for (const name of ["File", "View"]) {
@@ -476,7 +468,7 @@ test("on a phone every menu opens in place, and all its items can be reached", a
   await expect(menu.getByRole("group")).toHaveCount(1);
 });
 
-test("the header fits at every width, both idle and during a run", async ({ page }) => {
+sharedTest("the header fits at every width, both idle and during a run", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const overflow = () =>
@@ -507,20 +499,22 @@ test("the header fits at every width, both idle and during a run", async ({ page
   }
 });
 
-for (const scheme of ["light", "dark"] as const) {
-  test(`by default the page is ${scheme} if the system is`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme: scheme });
-    await page.goto("./?test=1");
-    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", scheme);
-    const other = scheme === "light" ? "dark" : "light";
+test("by default the page has the colours of the system, and then those chosen", async ({ page }) => {
+  const root = page.locator("html");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.goto("./?test=1");
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "dark");
+  await page.emulateMedia({ colorScheme: "light" });
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "light");
+  for (const other of ["dark", "light"]) {
     await page.getByTestId("theme").click();
-    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", other);
+    await expect(root).toHaveAttribute("data-mantine-color-scheme", other);
     await page.reload();
-    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", other);
-  });
-}
+    await expect(root).toHaveAttribute("data-mantine-color-scheme", other);
+  }
+});
 
-test("below 1100 pixels the side panels make room for the view", async ({ page }) => {
+sharedTest("below 1100 pixels the side panels make room for the view", async ({ page }) => {
   await page.setViewportSize({ width: 1000, height: 700 });
   const app = new AppPage(page);
   await app.open();
@@ -533,7 +527,7 @@ test("below 1100 pixels the side panels make room for the view", async ({ page }
   expect((await app.mesh()).tets).toBeGreaterThan(1000);
 });
 
-test("panels can be resized with the keyboard and by dragging", async ({ page }) => {
+sharedTest("panels can be resized with the keyboard and by dragging", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.viewport.boundingBox();

@@ -2,8 +2,9 @@ import { expect, test } from "@playwright/test";
 import { createMesher } from "tetrafront";
 import { AppPage, sampleProject } from "./app-page";
 import { generateButton, redoButton, toggle, undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("the app opens with a meshed model and shows its numbers of elements", async ({ page }) => {
+sharedTest("the app opens with a meshed model and shows its numbers of elements", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
@@ -19,7 +20,7 @@ test("the app opens with a meshed model and shows its numbers of elements", asyn
 });
 
 for (const id of ["engine-intake", "vault", "wing-in-a-tunnel", "bracket"]) {
-  test(`${id} has the same fingerprint in the browser as in Node`, async ({ page }) => {
+  sharedTest(`${id} has the same fingerprint in the browser as in Node`, async ({ page }) => {
     const mesher = await createMesher();
     const { report } = await mesher.meshProject(sampleProject(id));
     mesher.dispose();
@@ -32,37 +33,38 @@ for (const id of ["engine-intake", "vault", "wing-in-a-tunnel", "bracket"]) {
   });
 }
 
-test("moving a point makes the mesh stale, meshing again changes it, and undo restores it", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  const before = await app.openCube();
-  await app.select("point-7");
-  await app.type("position-x", "1 + 1/2");
-  await expect(app.viewport).toHaveAttribute("data-stale", "true");
-  await expect(page.getByTestId("mesh-badge")).toContainText("Out of date");
-  await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
-  // Moving one corner of a cube makes three faces non-planar: change them to Coons patches.
-  for (const patch of [2, 4, 6]) {
-    await app.select(`patch-${patch}`);
-    await page.getByTestId("patch-type").click();
-    await page.getByRole("option", { name: "Coons" }).click();
-  }
-  const after = await app.generate();
-  expect(after.fingerprint).not.toBe(before.fingerprint);
-  await expect(page.getByTestId("mesh-badge")).toBeHidden();
-  for (const patch of [6, 4, 2]) {
-    await expect(page.getByRole("button", { name: `Undo: Change type of patch ${patch}` })).toBeEnabled();
-    await undoButton(page).click();
-  }
-  await page.getByRole("button", { name: "Undo: Move point 7" }).click();
-  // The app has kept the old mesh: no second run is needed.
-  expect(await app.meshed()).toEqual(before);
-  await redoButton(page).click();
-  await expect(app.viewport).toHaveAttribute("data-stale", "true");
-});
+sharedTest(
+  "moving a point makes the mesh stale, meshing again changes it, and undo restores it",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    const before = await app.openCube();
+    await app.select("point-7");
+    await app.type("position-x", "1 + 1/2");
+    await expect(app.viewport).toHaveAttribute("data-stale", "true");
+    await expect(page.getByTestId("mesh-badge")).toContainText("Out of date");
+    await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
+    // Moving one corner of a cube makes three faces non-planar: change them to Coons patches.
+    for (const patch of [2, 4, 6]) {
+      await app.select(`patch-${patch}`);
+      await page.getByTestId("patch-type").click();
+      await page.getByRole("option", { name: "Coons" }).click();
+    }
+    const after = await app.generate();
+    expect(after.fingerprint).not.toBe(before.fingerprint);
+    await expect(page.getByTestId("mesh-badge")).toBeHidden();
+    for (const patch of [6, 4, 2]) {
+      await expect(page.getByRole("button", { name: `Undo: Change type of patch ${patch}` })).toBeEnabled();
+      await undoButton(page).click();
+    }
+    await page.getByRole("button", { name: "Undo: Move point 7" }).click();
+    // The app has kept the old mesh: no second run is needed.
+    expect(await app.meshed()).toEqual(before);
+    await redoButton(page).click();
+    await expect(app.viewport).toHaveAttribute("data-stale", "true");
+  },
+);
 
-test("a smaller size in the background grid gives more tetrahedra", async ({ page }) => {
+sharedTest("a smaller size in the background grid gives more tetrahedra", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("background-node-1");
@@ -96,7 +98,7 @@ test("the arrow keys step a number, and a held key is one step of undo", async (
   await expect(size).toHaveValue("0.26");
 });
 
-test("a long run shows progress and can be cancelled", async ({ page }) => {
+sharedTest("a long run shows progress and can be cancelled", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const cube = sampleProject("unit-cube");
@@ -112,43 +114,47 @@ test("a long run shows progress and can be cancelled", async ({ page }) => {
   await expect(generateButton(page)).toBeEnabled();
 });
 
-test("while a run is active, its Cancel is where Generate mesh was; a double click does not cancel", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const generate = generateButton(page);
-  const cancel = page.getByTestId("cancel-run");
-  await page.getByText("Uniform", { exact: true }).click();
-  await app.type("uniform-size", "0.02");
-  const before = await generate.boundingBox();
-  await generate.dblclick();
-  await expect(cancel).toBeVisible();
-  await expect(page.getByTestId("time-left")).toHaveText(/^about \d+ (s|min) left$/);
-  expect(await cancel.boundingBox()).toEqual(before);
-  await expect(cancel).toHaveAccessibleName("Cancel meshing");
-  await cancel.click();
-  await expect(generate).toBeVisible();
-  await expect(page.getByTestId("status")).toContainText(/cancelled|out of date/i);
-});
+sharedTest(
+  "while a run is active, its Cancel is where Generate mesh was; a double click does not cancel",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const generate = generateButton(page);
+    const cancel = page.getByTestId("cancel-run");
+    await page.getByText("Uniform", { exact: true }).click();
+    await app.type("uniform-size", "0.02");
+    const before = await generate.boundingBox();
+    await generate.dblclick();
+    await expect(cancel).toBeVisible();
+    await expect(page.getByTestId("time-left")).toHaveText(/^about \d+ (s|min) left$/);
+    expect(await cancel.boundingBox()).toEqual(before);
+    await expect(cancel).toHaveAccessibleName("Cancel meshing");
+    await cancel.click();
+    await expect(generate).toBeVisible();
+    await expect(page.getByTestId("status")).toContainText(/cancelled|out of date/i);
+  },
+);
 
-test("the mesh just made is seen as such, and the worst element is not buried in it", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByTestId("tree-patch-1").click();
-  await page.keyboard.press("Shift+D");
-  await generateButton(page).click();
-  await app.meshed();
-  await expect(page.locator('[aria-selected="true"][role="treeitem"]')).toHaveCount(0);
-  await page.getByRole("menuitem", { name: "Mesh", exact: true }).click();
-  await expect(page.getByRole("menuitemcheckbox", { name: "Show target sizes" })).not.toBeChecked();
-  await page.keyboard.press("Escape");
+sharedTest(
+  "the mesh just made is seen as such, and the worst element is not buried in it",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.getByTestId("tree-patch-1").click();
+    await page.keyboard.press("Shift+D");
+    await generateButton(page).click();
+    await app.meshed();
+    await expect(page.locator('[aria-selected="true"][role="treeitem"]')).toHaveCount(0);
+    await page.getByRole("menuitem", { name: "Mesh", exact: true }).click();
+    await expect(page.getByRole("menuitemcheckbox", { name: "Show target sizes" })).not.toBeChecked();
+    await page.keyboard.press("Escape");
 
-  await expect(toggle(page, "Cut")).not.toBeChecked();
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("worst");
-  await page.keyboard.press("Enter");
-  await expect(toggle(page, "Cut")).toBeChecked();
-  await app.drawn();
-  await expect(page.getByTestId("inspector")).toContainText(/tetrahedron|element/i);
-});
+    await expect(toggle(page, "Cut")).not.toBeChecked();
+    await page.keyboard.press("Control+k");
+    await page.keyboard.type("worst");
+    await page.keyboard.press("Enter");
+    await expect(toggle(page, "Cut")).toBeChecked();
+    await app.drawn();
+    await expect(page.getByTestId("inspector")).toContainText(/tetrahedron|element/i);
+  },
+);

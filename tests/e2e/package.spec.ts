@@ -284,13 +284,13 @@ test("Vite bundles the package", async ({ page }) => {
   await expectBoxMeshed(page, await served(path.join(folder, "dist"), STRICT));
 });
 
-/** Fills a large sphere by one thread and by two, and states the fingerprints. */
+/** Fills a large sphere by the numbers of threads in the address, and states the fingerprints. */
 const fillBySeveral = (module: string) => `import { createMesher } from "${module}";
 const { points, triangles } = await (await fetch("sphere.json")).json();
 const surface = { points: Float64Array.from(points), triangles: Uint32Array.from(triangles) };
 const mesher = await createMesher();
 const made = [];
-for (const threads of [1, 2]) {
+for (const threads of new URLSearchParams(location.search).get("threads").split(",").map(Number)) {
   const options = { optimization: "fast", interior: "front", threads };
   const { report } = await mesher.fillSurface(surface, options);
   made.push(report.status + report.threads + (report.tetrahedra > 60000 ? " large " : " small ") + report.fingerprint);
@@ -312,38 +312,41 @@ function saveFilling(
 
 const SAME_MESH = /^done1 large ([0-9a-f]{16}) done2 large \1$/;
 
-test("on a plain page, a second worker optimizes tiles of the same mesh; without its script, the first does all", async ({
+test("a second worker optimizes tiles of the same mesh: on a plain page, and in a bundle of Vite", async ({
   page,
 }) => {
   test.slow();
-  const folder = path.join(fresh.folder, "page");
-  if (!existsSync(folder)) fresh.example("page");
-  const module = "./node_modules/tetrafront/dist/page/tetrafront.js";
-  saveFilling(folder, "many-threads.html", { module });
-  const missing = new Set<string>();
-  requested.splice(0);
-  const address = `${await served(folder, STRICT, missing)}many-threads.html`;
-  await page.goto(address);
-  await expect(page).toHaveTitle(SAME_MESH, { timeout: 60_000 });
-  expect(requested.filter((name) => name === "tile-worker.js")).toHaveLength(1);
-  const title = await page.title();
-  missing.add("tile-worker.js");
-  await page.reload();
-  await expect(page).toHaveTitle(title, { timeout: 60_000 });
-});
-
-test("in a bundle of Vite, a second worker optimizes tiles of the same mesh", async ({ page }) => {
-  test.slow();
-  const folder = path.join(fresh.folder, "vite-threads");
-  mkdirSync(path.join(folder, "public"), { recursive: true });
-  const config = fileURLToPath(new URL("../../examples/vite/vite.config.js", import.meta.url));
-  copyFileSync(config, path.join(folder, "vite.config.js"));
-  saveFilling(folder, "index.html", { module: "tetrafront", files: path.join(folder, "public") });
-  execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
-  requested.splice(0);
-  await page.goto(await served(path.join(folder, "dist"), STRICT));
-  await expect(page).toHaveTitle(SAME_MESH, { timeout: 60_000 });
-  expect(requested.filter((name) => name.startsWith("tile-worker"))).toHaveLength(1);
+  const isTileWorker = (name: string): boolean => name.startsWith("tile-worker");
+  let byTwo = "";
+  await test.step("on a plain page, a second worker optimizes tiles of the same mesh; without its script, the first does all", async () => {
+    const folder = path.join(fresh.folder, "page");
+    if (!existsSync(folder)) fresh.example("page");
+    const module = "./node_modules/tetrafront/dist/page/tetrafront.js";
+    saveFilling(folder, "many-threads.html", { module });
+    const missing = new Set<string>();
+    requested.splice(0);
+    const address = `${await served(folder, STRICT, missing)}many-threads.html`;
+    await page.goto(`${address}?threads=1,2`);
+    await expect(page).toHaveTitle(SAME_MESH, { timeout: 60_000 });
+    expect(requested.filter(isTileWorker)).toHaveLength(1);
+    byTwo = (await page.title()).replace(/^.* done2/, "done2");
+    missing.add("tile-worker.js");
+    await page.goto(`${address}?threads=2`);
+    await expect(page).toHaveTitle(byTwo, { timeout: 60_000 });
+    server?.close();
+  });
+  await test.step("in a bundle of Vite, a second worker optimizes tiles of the same mesh", async () => {
+    const folder = path.join(fresh.folder, "vite-threads");
+    mkdirSync(path.join(folder, "public"), { recursive: true });
+    const config = fileURLToPath(new URL("../../examples/vite/vite.config.js", import.meta.url));
+    copyFileSync(config, path.join(folder, "vite.config.js"));
+    saveFilling(folder, "index.html", { module: "tetrafront", files: path.join(folder, "public") });
+    execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
+    requested.splice(0);
+    await page.goto(`${await served(path.join(folder, "dist"), STRICT)}?threads=2`);
+    await expect(page).toHaveTitle(byTwo, { timeout: 60_000 });
+    expect(requested.filter(isTileWorker)).toHaveLength(1);
+  });
 });
 
 test("webpack bundles the package", async ({ page }) => {

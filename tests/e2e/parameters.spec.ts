@@ -6,8 +6,9 @@ import { boxSurface } from "../support/surfaces";
 import { downloaded } from "./downloads";
 import { dropBytes } from "./drop-bytes";
 import { tab } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("a parameter moves the points whose coordinates use it; the file keeps it", async ({ page }) => {
+sharedTest("a parameter moves the points whose coordinates use it; the file keeps it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   // An equation typed into the first field goes on in the second.
@@ -59,7 +60,7 @@ test("a parameter moves the points whose coordinates use it; the file keeps it",
   expect(saved.value.points.find(({ id }) => id === 5)?.position[2]).toBe(2);
 });
 
-test("a selection is edited at once and becomes a group; the history jumps", async ({ page }) => {
+sharedTest("a selection is edited at once and becomes a group; the history jumps", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("point-5");
@@ -136,72 +137,75 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await expect(history.locator("[aria-current]")).toHaveText("Set z of 2 entities");
 });
 
-test("bodies are edited together; their sizes use parameters, and the estimate names what it leaves out", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const bodies = [1, 2].map((id) => {
-    const name = `a part with a name as long as those of files ${id}`;
-    const surface = boxSurface(2, [2 * id, 0, 0], [2 * id + 1, 1, 1]);
-    return createBody(surface, { id, firstPatchId: 100 + id, name });
-  });
-  const project = { ...cubeProject(), bodies, meshing: { size: 0.5 } };
-  await dropBytes(page, new TextEncoder().encode(writeProject(project)), "parts.json");
-  await expect(page.getByTestId("tree-body-2")).toContainText("remesh");
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Escape");
-  await app.page.getByTestId("new-parameter-name").fill("h");
-  await app.page.getByTestId("new-parameter-expression").fill("0.25");
-  await page.keyboard.press("Enter");
+sharedTest(
+  "bodies are edited together; their sizes use parameters, and the estimate names what it leaves out",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const bodies = [1, 2].map((id) => {
+      const name = `a part with a name as long as those of files ${id}`;
+      const surface = boxSurface(2, [2 * id, 0, 0], [2 * id + 1, 1, 1]);
+      return createBody(surface, { id, firstPatchId: 100 + id, name });
+    });
+    const project = { ...cubeProject(), bodies, meshing: { size: 0.5 } };
+    await dropBytes(page, new TextEncoder().encode(writeProject(project)), "parts.json");
+    await expect(page.getByTestId("tree-body-2")).toContainText("remesh");
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Escape");
+    await app.page.getByTestId("new-parameter-name").fill("h");
+    await app.page.getByTestId("new-parameter-expression").fill("0.25");
+    await page.keyboard.press("Enter");
 
-  const both = async (): Promise<void> => {
-    await page.getByTestId("tree-body-1").click();
-    await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
-  };
-  const setSize = async (id: number, size: string): Promise<void> => {
-    await page.getByTestId(`tree-body-${id}`).click();
-    await app.type("remeshing-size", size);
-  };
-  // The hint names what all of them have, and a step suits the smallest of the values.
-  const hint = page.getByTestId("common-fields");
-  await setSize(1, "0.02");
-  await both();
-  await expect(hint).toContainText("scale means each entity's own value");
-  await setSize(2, "0.25");
-  await both();
-  await expect(hint).toContainText("scale and size mean each entity's own value");
-  await page.getByTestId("common-remeshing-size").press("ArrowUp");
-  for (const [id, size] of [
-    [1, "0.021"],
-    [2, "0.251"],
-  ] as const) {
-    await page.getByTestId(`tree-body-${id}`).click();
-    await expect(page.getByTestId("remeshing-size")).toHaveValue(size);
-  }
-  await page.getByTestId("viewport-canvas").focus();
-  for (let step = 0; step < 3; ++step) await page.keyboard.press("Control+z");
+    const both = async (): Promise<void> => {
+      await page.getByTestId("tree-body-1").click();
+      await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
+    };
+    const setSize = async (id: number, size: string): Promise<void> => {
+      await page.getByTestId(`tree-body-${id}`).click();
+      await app.type("remeshing-size", size);
+    };
+    // The hint names what all of them have, and a step suits the smallest of the values.
+    const hint = page.getByTestId("common-fields");
+    await setSize(1, "0.02");
+    await both();
+    await expect(hint).toContainText("scale means each entity's own value");
+    await setSize(2, "0.25");
+    await both();
+    await expect(hint).toContainText("scale and size mean each entity's own value");
+    await page.getByTestId("common-remeshing-size").press("ArrowUp");
+    for (const [id, size] of [
+      [1, "0.021"],
+      [2, "0.251"],
+    ] as const) {
+      await page.getByTestId(`tree-body-${id}`).click();
+      await expect(page.getByTestId("remeshing-size")).toHaveValue(size);
+    }
+    await page.getByTestId("viewport-canvas").focus();
+    for (let step = 0; step < 3; ++step) await page.keyboard.press("Control+z");
 
-  await both();
-  await expect(page.getByTestId("common-remeshing-size")).toHaveAttribute("placeholder", "automatic");
-  await app.type("common-remeshing-size", "2*h");
-  await page.getByTestId("common-treatment").getByText("Keep").click();
-  await expect(page.getByTestId("common-remeshing-size")).toHaveCount(0);
-  await page.getByTestId("common-treatment").getByText("Remesh").click();
-  await expect(page.getByTestId("common-remeshing-size")).toHaveValue("0.5");
-  await expect(page.getByTestId("count-expected")).toContainText(/tetrahedra without (2 bodies|a part with)/);
+    await both();
+    await expect(page.getByTestId("common-remeshing-size")).toHaveAttribute("placeholder", "automatic");
+    await app.type("common-remeshing-size", "2*h");
+    await page.getByTestId("common-treatment").getByText("Keep").click();
+    await expect(page.getByTestId("common-remeshing-size")).toHaveCount(0);
+    await page.getByTestId("common-treatment").getByText("Remesh").click();
+    await expect(page.getByTestId("common-remeshing-size")).toHaveValue("0.5");
+    await expect(page.getByTestId("count-expected")).toContainText(
+      /tetrahedra without (2 bodies|a part with)/,
+    );
 
-  await page.getByTestId("tree-body-2").click();
-  await expect(page.getByTestId("remeshing-size")).toHaveAttribute("data-expression", "2*h");
-  await page.getByTestId("body-placement").locator("summary").click();
-  await app.type("placement-position-x", "4*h");
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Escape");
-  await app.type("parameter-h", "0.5");
-  await page.getByTestId("tree-body-2").click();
-  await expect(page.getByTestId("remeshing-size")).toHaveValue("1");
-  await expect(page.getByTestId("placement-position-x")).toHaveValue("2");
-});
+    await page.getByTestId("tree-body-2").click();
+    await expect(page.getByTestId("remeshing-size")).toHaveAttribute("data-expression", "2*h");
+    await page.getByTestId("body-placement").locator("summary").click();
+    await app.type("placement-position-x", "4*h");
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Escape");
+    await app.type("parameter-h", "0.5");
+    await page.getByTestId("tree-body-2").click();
+    await expect(page.getByTestId("remeshing-size")).toHaveValue("1");
+    await expect(page.getByTestId("placement-position-x")).toHaveValue("2");
+  },
+);
 
 test("pieces and circles made from expressions follow their parameters", async ({ page }) => {
   const app = new AppPage(page);
@@ -254,49 +258,50 @@ test("pieces and circles made from expressions follow their parameters", async (
   }
 });
 
-test("lengths are typed in any unit, and another unit of the project converts or keeps the numbers", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const unit = page.getByTestId("project-unit");
-  const choose = async (name: string): Promise<void> => {
-    await unit.click();
-    await page.getByRole("option", { name, exact: true }).click();
-  };
-  await choose("not stated");
-  await app.select("point-5");
-  const z = page.getByTestId("position-z");
-  await app.type("position-z", "1 in");
-  await expect(page.getByText("Choose the length unit of the project first")).toBeVisible();
-  await z.press("Escape");
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Escape");
-  await choose("mm");
-  await app.select("point-5");
-  await app.type("position-z", "1/2 in");
-  await z.blur();
-  await expect(z).toHaveValue("12.7");
-  await expect(z).toHaveAttribute("data-expression", "1/2 in");
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Escape");
+sharedTest(
+  "lengths are typed in any unit, and another unit of the project converts or keeps the numbers",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const unit = page.getByTestId("project-unit");
+    const choose = async (name: string): Promise<void> => {
+      await unit.click();
+      await page.getByRole("option", { name, exact: true }).click();
+    };
+    await choose("not stated");
+    await app.select("point-5");
+    const z = page.getByTestId("position-z");
+    await app.type("position-z", "1 in");
+    await expect(page.getByText("Choose the length unit of the project first")).toBeVisible();
+    await z.press("Escape");
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Escape");
+    await choose("mm");
+    await app.select("point-5");
+    await app.type("position-z", "1/2 in");
+    await z.blur();
+    await expect(z).toHaveValue("12.7");
+    await expect(z).toHaveAttribute("data-expression", "1/2 in");
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Escape");
 
-  await choose("inch");
-  await expect(page.getByTestId("unit-question")).toContainText("1 mm becomes");
-  await page.getByTestId("unit-convert").click();
-  await expect(unit).toHaveValue("inch");
-  await app.select("point-5");
-  await expect(z).toHaveValue("0.5");
-  await expect(z).toHaveAttribute("data-expression", "1/2 in");
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Escape");
-  await choose("mm");
-  await page.getByTestId("unit-relabel").click();
-  await expect(unit).toHaveValue("mm");
-  await app.select("point-5");
-  await expect(z).toHaveValue("0.5");
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Control+z");
-  await page.keyboard.press("Control+z");
-  await expect(z).toHaveValue("12.7");
-});
+    await choose("inch");
+    await expect(page.getByTestId("unit-question")).toContainText("1 mm becomes");
+    await page.getByTestId("unit-convert").click();
+    await expect(unit).toHaveValue("inch");
+    await app.select("point-5");
+    await expect(z).toHaveValue("0.5");
+    await expect(z).toHaveAttribute("data-expression", "1/2 in");
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Escape");
+    await choose("mm");
+    await page.getByTestId("unit-relabel").click();
+    await expect(unit).toHaveValue("mm");
+    await app.select("point-5");
+    await expect(z).toHaveValue("0.5");
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+z");
+    await page.keyboard.press("Control+z");
+    await expect(z).toHaveValue("12.7");
+  },
+);

@@ -1,10 +1,11 @@
 import { expect, test, type Locator, type Page } from "@playwright/test";
 import { parseVtu } from "../support/mesh-files";
 import { measured } from "../support/mesh-measures";
-import { countActions, expectActions } from "./actions";
+import { countActions, expectActions, forgetActions } from "./actions";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /** Opens an empty project, and counts the actions of the user from then on. */
 class PiecesPage {
@@ -19,6 +20,7 @@ class PiecesPage {
   }
 
   async open(scheme: "dark" | "light" = "dark"): Promise<void> {
+    if (await this.app.openEmptyAgain()) return forgetActions(this.#page);
     await this.#page.addInitScript((chosen) => {
       localStorage.setItem("mantine-color-scheme-value", chosen);
     }, scheme);
@@ -85,19 +87,22 @@ for (const { command, expected } of [
   { command: "Cylinder…", expected: 4 * Math.PI },
   { command: "Sphere…", expected: (32 * Math.PI) / 3 },
 ]) {
-  test(`${command} makes a piece by keyboard only, which is meshed and downloaded`, async ({ page }) => {
-    const pieces = new PiecesPage(page);
-    await pieces.open();
-    await pieces.start(command);
-    await pieces.type("4/2");
-    await pieces.accept();
-    const share = (await pieces.mesh("Box, cylinder or sphere")) / expected;
-    expect(share).toBeGreaterThan(0.95);
-    expect(share).toBeLessThan(1 + 1e-9);
-  });
+  sharedTest(
+    `${command} makes a piece by keyboard only, which is meshed and downloaded`,
+    async ({ page }) => {
+      const pieces = new PiecesPage(page);
+      await pieces.open();
+      await pieces.start(command);
+      await pieces.type("4/2");
+      await pieces.accept();
+      const share = (await pieces.mesh("Box, cylinder or sphere")) / expected;
+      expect(share).toBeGreaterThan(0.95);
+      expect(share).toBeLessThan(1 + 1e-9);
+    },
+  );
 }
 
-test("a cube with a hole through takes few actions", async ({ page }) => {
+sharedTest("a cube with a hole through takes few actions", async ({ page }) => {
   const pieces = new PiecesPage(page);
   await pieces.openBox();
   await pieces.click(pieces.row("patch-2"));
@@ -109,24 +114,25 @@ test("a cube with a hole through takes few actions", async ({ page }) => {
   expect(volume).toBeLessThan(1 - 0.9 * (Math.PI / 16));
 });
 
-test("a cylinder on a face of a box shares the face with it: one watertight mesh of two regions", async ({
-  page,
-}) => {
-  const pieces = new PiecesPage(page);
-  await pieces.openBox();
-  await pieces.click(pieces.row("patch-2"));
-  await pieces.start("Cylinder…");
-  await pieces.type("0.25");
-  const note = page.getByTestId("operation-note");
-  await expect(note).toContainText("Overlaps 1 face");
-  await pieces.click(page.getByTestId("operation-share"));
-  await expect(note).toContainText("Shares 1 face");
-  await pieces.click(page.getByTestId("accept"));
-  const pin = (await pieces.mesh("Cylinder that shares a face of a box")) - 1;
-  const [radius, height] = [0.25, 0.5];
-  expect(pin / (Math.PI * radius ** 2 * height)).toBeGreaterThan(0.85);
-  expect(pin / (Math.PI * radius ** 2 * height)).toBeLessThan(1);
-});
+sharedTest(
+  "a cylinder on a face of a box shares the face with it: one watertight mesh of two regions",
+  async ({ page }) => {
+    const pieces = new PiecesPage(page);
+    await pieces.openBox();
+    await pieces.click(pieces.row("patch-2"));
+    await pieces.start("Cylinder…");
+    await pieces.type("0.25");
+    const note = page.getByTestId("operation-note");
+    await expect(note).toContainText("Overlaps 1 face");
+    await pieces.click(page.getByTestId("operation-share"));
+    await expect(note).toContainText("Shares 1 face");
+    await pieces.click(page.getByTestId("accept"));
+    const pin = (await pieces.mesh("Cylinder that shares a face of a box")) - 1;
+    const [radius, height] = [0.25, 0.5];
+    expect(pin / (Math.PI * radius ** 2 * height)).toBeGreaterThan(0.85);
+    expect(pin / (Math.PI * radius ** 2 * height)).toBeLessThan(1);
+  },
+);
 
 test("copies, a mirror image and an array are one step of undo each", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
@@ -151,45 +157,47 @@ test("copies, a mirror image and an array are one step of undo each", async ({ p
   }
 });
 
-test("a rotation begins with the angle and a scale with the factors, so that they can be typed at once", async ({
-  page,
-}) => {
-  const pieces = new PiecesPage(page);
-  await pieces.openBox();
-  await pieces.start("Rotate…");
-  await expect(page.getByTestId("operation-angle")).toBeFocused();
-  await pieces.type("45");
-  await pieces.press("Enter");
-  await expect(page.getByRole("button", { name: "Undo: Rotate selection" })).toBeEnabled();
-  await pieces.start("Scale…");
-  await expect(page.getByTestId("operation-factors-x")).toBeFocused();
-  await pieces.type("2");
-  await pieces.press("Enter");
-  await expect(page.getByRole("button", { name: "Undo: Scale selection" })).toBeEnabled();
-  // The longer diagonal of the base lies along x, from -√2 to √2.
-  await page.getByLabel("Filter (name, type, id)").fill("point");
-  const rows = await page.getByTestId(/^tree-point-/).allInnerTexts();
-  expect(rows.some((text) => text.includes("1.414"))).toBe(true);
-});
+sharedTest(
+  "a rotation begins with the angle and a scale with the factors, so that they can be typed at once",
+  async ({ page }) => {
+    const pieces = new PiecesPage(page);
+    await pieces.openBox();
+    await pieces.start("Rotate…");
+    await expect(page.getByTestId("operation-angle")).toBeFocused();
+    await pieces.type("45");
+    await pieces.press("Enter");
+    await expect(page.getByRole("button", { name: "Undo: Rotate selection" })).toBeEnabled();
+    await pieces.start("Scale…");
+    await expect(page.getByTestId("operation-factors-x")).toBeFocused();
+    await pieces.type("2");
+    await pieces.press("Enter");
+    await expect(page.getByRole("button", { name: "Undo: Scale selection" })).toBeEnabled();
+    // The longer diagonal of the base lies along x, from -√2 to √2.
+    await page.getByLabel("Filter (name, type, id)").fill("point");
+    const rows = await page.getByTestId(/^tree-point-/).allInnerTexts();
+    expect(rows.some((text) => text.includes("1.414"))).toBe(true);
+  },
+);
 
-test("a sphere is placed by its centre; the digits of a wing are four, and typed without a click", async ({
-  page,
-}) => {
-  const pieces = new PiecesPage(page);
-  await pieces.open();
-  await pieces.start("Sphere…");
-  await expect(pieces.panel.getByText("Centre", { exact: true })).toBeVisible();
-  await expect(pieces.panel.getByText("Base centre")).toBeHidden();
-  await pieces.press("Escape");
-  await pieces.start("NACA wing…");
-  const digits = page.getByTestId("operation-digits");
-  await expect(digits).toHaveValue("0012");
-  await pieces.type("0009");
-  await pieces.press("Tab", "Shift+Tab");
-  await expect(digits).toHaveValue("0009");
-  await pieces.press("ArrowUp");
-  await expect(digits).toHaveValue("0010");
-});
+sharedTest(
+  "a sphere is placed by its centre; the digits of a wing are four, and typed without a click",
+  async ({ page }) => {
+    const pieces = new PiecesPage(page);
+    await pieces.open();
+    await pieces.start("Sphere…");
+    await expect(pieces.panel.getByText("Centre", { exact: true })).toBeVisible();
+    await expect(pieces.panel.getByText("Base centre")).toBeHidden();
+    await pieces.press("Escape");
+    await pieces.start("NACA wing…");
+    const digits = page.getByTestId("operation-digits");
+    await expect(digits).toHaveValue("0012");
+    await pieces.type("0009");
+    await pieces.press("Tab", "Shift+Tab");
+    await expect(digits).toHaveValue("0009");
+    await pieces.press("ArrowUp");
+    await expect(digits).toHaveValue("0010");
+  },
+);
 
 test("Escape closes the panel and restores the project", async ({ page }) => {
   const pieces = new PiecesPage(page);

@@ -6,6 +6,7 @@ import { boxSurface } from "../support/surfaces";
 import { starSurface, starTrace } from "../support/traces";
 import { AppPage, sampleProject } from "./app-page";
 import { button, choice, nextStop, playButton, recordButton, slider, stopBefore, tab } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const star = Buffer.from(
   starTrace({
@@ -46,7 +47,7 @@ async function chooseTrace(page: Page, content: Buffer): Promise<void> {
   await (await chooser).setFiles({ name: "a.tft", mimeType: "application/octet-stream", buffer: content });
 }
 
-test("an incomplete mesh is not spoken of while a trace is shown in its place", async ({ page }) => {
+sharedTest("an incomplete mesh is not spoken of while a trace is shown in its place", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const cube = sampleProject("unit-cube");
@@ -67,7 +68,7 @@ test("an incomplete mesh is not spoken of while a trace is shown in its place", 
   await expect(badge).toContainText(/Cancelled (at|before)/);
 });
 
-test("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
+sharedTest("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
   const app = new AppPage(page);
   const { fingerprint } = await app.openCube();
   await tab(page, "Front").click();
@@ -132,72 +133,75 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   expect((await app.mesh()).fingerprint).toBe(fingerprint);
 });
 
-test("lines and patches are played before the volume, with the plane beside space", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await tab(page, "Front").click();
-  await recordButton(page).click();
-  const { viewport } = app;
-  await expect(viewport).toHaveAttribute("data-step", "0");
-  const phase = page.getByTestId("player-phase");
-  const sentence = page.getByTestId("lens-sentence");
-  const plane = page.getByTestId("plane-view");
-  await expect(phase).toHaveText("Volume");
-  await expect(plane).toHaveCount(0);
+sharedTest(
+  "lines and patches are played before the volume, with the plane beside space",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await tab(page, "Front").click();
+    await recordButton(page).click();
+    const { viewport } = app;
+    await expect(viewport).toHaveAttribute("data-step", "0");
+    const phase = page.getByTestId("player-phase");
+    const sentence = page.getByTestId("lens-sentence");
+    const plane = page.getByTestId("plane-view");
+    await expect(phase).toHaveText("Volume");
+    await expect(plane).toHaveCount(0);
 
-  await button(page, "First state of the phase").click();
-  await expect(phase).toHaveText("Patches");
-  await expect(plane).toBeVisible();
-  await expect(plane).toContainText("Plane of patch “left”");
-  // The search region is the ellipse in the plane.
-  await expect(page.getByTestId("player-region")).toBeDisabled();
-  await expect(sentence).toContainText("Patch “left” begins");
-  const edges = Number(await viewport.getAttribute("data-front-faces"));
-  expect(edges).toBeGreaterThan(8);
-  const width = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
-  await button(page, "Step forward").click();
-  await expect(sentence).toContainText("makes a triangle over the base edge");
-  await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
-  // Fronts of patches have edges, not faces.
-  await choice(page, "Jump to").selectOption({ label: "new node too close to an edge" });
-  await nextStop(page).click();
-  await expect(sentence).toContainText(/would be too close to edge \d+/);
-  await expect(page.getByTestId("lens-front-change")).toContainText("the front before the step");
-  // The view names the same edges in space.
-  const failing = /edge \d+/.exec((await sentence.textContent()) ?? "")?.[0] ?? "no edge";
-  await expect(page.getByTestId("lens-labels")).toContainText(failing);
-  await expect(page.getByTestId("lens-labels")).toContainText(/base \d+/);
-  await page.getByTestId("plane-zoom").getByText("Base edge").click();
-  expect(await violations(page)).toEqual([]);
+    await button(page, "First state of the phase").click();
+    await expect(phase).toHaveText("Patches");
+    await expect(plane).toBeVisible();
+    await expect(plane).toContainText("Plane of patch “left”");
+    // The search region is the ellipse in the plane.
+    await expect(page.getByTestId("player-region")).toBeDisabled();
+    await expect(sentence).toContainText("Patch “left” begins");
+    const edges = Number(await viewport.getAttribute("data-front-faces"));
+    expect(edges).toBeGreaterThan(8);
+    const width = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
+    await button(page, "Step forward").click();
+    await expect(sentence).toContainText("makes a triangle over the base edge");
+    await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
+    // Fronts of patches have edges, not faces.
+    await choice(page, "Jump to").selectOption({ label: "new node too close to an edge" });
+    await nextStop(page).click();
+    await expect(sentence).toContainText(/would be too close to edge \d+/);
+    await expect(page.getByTestId("lens-front-change")).toContainText("the front before the step");
+    // The view names the same edges in space.
+    const failing = /edge \d+/.exec((await sentence.textContent()) ?? "")?.[0] ?? "no edge";
+    await expect(page.getByTestId("lens-labels")).toContainText(failing);
+    await expect(page.getByTestId("lens-labels")).toContainText(/base \d+/);
+    await page.getByTestId("plane-zoom").getByText("Base edge").click();
+    expect(await violations(page)).toEqual([]);
 
-  await choice(page, "Jump to").selectOption("patch");
-  await nextStop(page).click();
-  await expect(sentence).toContainText("Patch “right” begins");
-  await button(page, "First state of the phase").click();
-  await expect(sentence).toContainText("Patch “left” begins");
-  await button(page, "First state of the phase").click();
-  await expect(phase).toHaveText("Lines");
-  await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
-  await expect(plane).toHaveCount(0);
-  const canvas = page.getByTestId("viewport-canvas");
-  await expect.poll(async () => (await canvas.boundingBox())?.width ?? 0).toBeGreaterThan(1.8 * width);
-  await choice(page, "Jump to").selectOption("line");
-  await nextStop(page).click();
-  await expect(sentence).toContainText(/Line 1 is .* target sizes long/);
+    await choice(page, "Jump to").selectOption("patch");
+    await nextStop(page).click();
+    await expect(sentence).toContainText("Patch “right” begins");
+    await button(page, "First state of the phase").click();
+    await expect(sentence).toContainText("Patch “left” begins");
+    await button(page, "First state of the phase").click();
+    await expect(phase).toHaveText("Lines");
+    await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
+    await expect(plane).toHaveCount(0);
+    const canvas = page.getByTestId("viewport-canvas");
+    await expect.poll(async () => (await canvas.boundingBox())?.width ?? 0).toBeGreaterThan(1.8 * width);
+    await choice(page, "Jump to").selectOption("line");
+    await nextStop(page).click();
+    await expect(sentence).toContainText(/Line 1 is .* target sizes long/);
 
-  // One slider leads through all phases.
-  const scrub = slider(page, "Step of the front");
-  await scrub.focus();
-  await page.keyboard.press("End");
-  await page.keyboard.press("ArrowRight");
-  await expect(phase).toHaveText("Patches");
-  await page.keyboard.press("End");
-  await page.keyboard.press("ArrowRight");
-  await expect(viewport).toHaveAttribute("data-step", "0");
-  expect(await violations(page)).toEqual([]);
-});
+    // One slider leads through all phases.
+    const scrub = slider(page, "Step of the front");
+    await scrub.focus();
+    await page.keyboard.press("End");
+    await page.keyboard.press("ArrowRight");
+    await expect(phase).toHaveText("Patches");
+    await page.keyboard.press("End");
+    await page.keyboard.press("ArrowRight");
+    await expect(viewport).toHaveAttribute("data-step", "0");
+    expect(await violations(page)).toEqual([]);
+  },
+);
 
-test("the keys play, step and jump, but not in fields and buttons", async ({ page }) => {
+sharedTest("the keys play, step and jump, but not in fields and buttons", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
   const read = readTrace(star);
   const steps = read.success ? read.value.stepCount : 0;
@@ -224,45 +228,48 @@ test("the keys play, step and jump, but not in fields and buttons", async ({ pag
   await expect(viewport).toHaveAttribute("data-step", String(steps - 1));
 });
 
-test("the lens says why a candidate was refused, with the numbers of the crossing test", async ({ page }) => {
-  await openTrace(page, star);
-  const lens = page.getByTestId("lens");
-  await expect(lens).toContainText("before the first step");
-  await choice(page, "Jump to").selectOption("crosses");
-  await nextStop(page).click();
-  await expect(page.getByTestId("lens-sentence")).toContainText(/was refused: .*face/);
-  const canvas = page.getByTestId("viewport-canvas");
-  // Without the labels: the edges of their lines can differ by a shade when they are painted again.
-  await hideLabels(page);
-  const picture = (): Promise<Buffer> => canvas.screenshot();
-  await expect(page.getByTestId("lens-legend")).toBeVisible();
-  await new AppPage(page).stillView();
-  const before = await picture();
-  await page.getByTestId("player-region").check();
-  await expect.poll(async () => (await picture()).equals(before)).toBe(false);
-  await page.getByTestId("player-region").uncheck();
-  await expect.poll(async () => (await picture()).equals(before)).toBe(true);
-  // What fails is named in the view by the numbers of the sentence, and the rest is faded.
-  const face = /face ([\d,]+)/.exec((await page.getByTestId("lens-sentence").textContent()) ?? "")?.[0];
-  await expect(page.getByTestId("lens-labels")).toContainText(face ?? "no face");
-  await expect(page.getByTestId("lens-legend")).toContainText("why refused");
-  await page.getByRole("checkbox", { name: "Film of the step" }).uncheck();
-  await expect.poll(async () => (await picture()).equals(before)).toBe(false);
-  const faded = await picture();
-  await page.getByRole("checkbox", { name: "Fade the rest" }).uncheck();
-  await expect.poll(async () => (await picture()).equals(faded)).toBe(false);
-  await page.getByRole("checkbox", { name: "Fade the rest" }).check();
-  await page.getByRole("checkbox", { name: "Film of the step" }).check();
-  await choice(page, "Jump to").selectOption("recovery");
-  await nextStop(page).click();
-  await expect(lens).toContainText("elements around a pocket are removed");
-  await choice(page, "Jump to").selectOption("postponed");
-  await stopBefore(page).click();
-  await expect(lens).toContainText("comes again under rule class 1");
-  expect(await violations(page)).toEqual([]);
-});
+sharedTest(
+  "the lens says why a candidate was refused, with the numbers of the crossing test",
+  async ({ page }) => {
+    await openTrace(page, star);
+    const lens = page.getByTestId("lens");
+    await expect(lens).toContainText("before the first step");
+    await choice(page, "Jump to").selectOption("crosses");
+    await nextStop(page).click();
+    await expect(page.getByTestId("lens-sentence")).toContainText(/was refused: .*face/);
+    const canvas = page.getByTestId("viewport-canvas");
+    // Without the labels: the edges of their lines can differ by a shade when they are painted again.
+    await hideLabels(page);
+    const picture = (): Promise<Buffer> => canvas.screenshot();
+    await expect(page.getByTestId("lens-legend")).toBeVisible();
+    await new AppPage(page).stillView();
+    const before = await picture();
+    await page.getByTestId("player-region").check();
+    await expect.poll(async () => (await picture()).equals(before)).toBe(false);
+    await page.getByTestId("player-region").uncheck();
+    await expect.poll(async () => (await picture()).equals(before)).toBe(true);
+    // What fails is named in the view by the numbers of the sentence, and the rest is faded.
+    const face = /face ([\d,]+)/.exec((await page.getByTestId("lens-sentence").textContent()) ?? "")?.[0];
+    await expect(page.getByTestId("lens-labels")).toContainText(face ?? "no face");
+    await expect(page.getByTestId("lens-legend")).toContainText("why refused");
+    await page.getByRole("checkbox", { name: "Film of the step" }).uncheck();
+    await expect.poll(async () => (await picture()).equals(before)).toBe(false);
+    const faded = await picture();
+    await page.getByRole("checkbox", { name: "Fade the rest" }).uncheck();
+    await expect.poll(async () => (await picture()).equals(faded)).toBe(false);
+    await page.getByRole("checkbox", { name: "Fade the rest" }).check();
+    await page.getByRole("checkbox", { name: "Film of the step" }).check();
+    await choice(page, "Jump to").selectOption("recovery");
+    await nextStop(page).click();
+    await expect(lens).toContainText("elements around a pocket are removed");
+    await choice(page, "Jump to").selectOption("postponed");
+    await stopBefore(page).click();
+    await expect(lens).toContainText("comes again under rule class 1");
+    expect(await violations(page)).toEqual([]);
+  },
+);
 
-test("a damaged trace is refused with the byte and a remedy", async ({ page }) => {
+sharedTest("a damaged trace is refused with the byte and a remedy", async ({ page }) => {
   const app = await openTrace(page, star.subarray(0, star.length / 2));
   await expect(page.getByTestId("player-failure")).toContainText(/byte \d+: .*Record the trace again/);
   await expect(app.viewport).not.toHaveAttribute("data-steps");
@@ -286,30 +293,31 @@ function readingShown(page: Page, stops: boolean): Promise<void> {
   );
 }
 
-test("a large trace is read with progress, and reading it can be cancelled: what was shown stays", async ({
-  page,
-}) => {
-  const large = Buffer.from(starTrace(starSurface(boxSurface(72, [0, 0, 0], [1, 1, 1]))).bytes);
-  const { viewport } = await openTrace(page, star);
-  await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
-  const steps = (await viewport.getAttribute("data-steps")) ?? "";
-  await button(page, "Step forward").click();
+sharedTest(
+  "a large trace is read with progress, and reading it can be cancelled: what was shown stays",
+  async ({ page }) => {
+    const large = Buffer.from(starTrace(starSurface(boxSurface(72, [0, 0, 0], [1, 1, 1]))).bytes);
+    const { viewport } = await openTrace(page, star);
+    await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
+    const steps = (await viewport.getAttribute("data-steps")) ?? "";
+    await button(page, "Step forward").click();
 
-  const reading = page.getByTestId("player-reading");
-  const stopped = readingShown(page, true);
-  await chooseTrace(page, large);
-  await stopped;
-  await expect(reading).toHaveCount(0);
-  await expect(viewport).toHaveAttribute("data-steps", steps);
-  await expect(viewport).toHaveAttribute("data-step", "1");
+    const reading = page.getByTestId("player-reading");
+    const stopped = readingShown(page, true);
+    await chooseTrace(page, large);
+    await stopped;
+    await expect(reading).toHaveCount(0);
+    await expect(viewport).toHaveAttribute("data-steps", steps);
+    await expect(viewport).toHaveAttribute("data-step", "1");
 
-  const shown = readingShown(page, false);
-  await chooseTrace(page, large);
-  await shown;
-  await expect(reading).toHaveCount(0);
-  await expect(viewport).not.toHaveAttribute("data-steps", steps);
-  await expect(viewport).toHaveAttribute("data-step", "0");
-});
+    const shown = readingShown(page, false);
+    await chooseTrace(page, large);
+    await shown;
+    await expect(reading).toHaveCount(0);
+    await expect(viewport).not.toHaveAttribute("data-steps", steps);
+    await expect(viewport).toHaveAttribute("data-step", "0");
+  },
+);
 
 test("with reduced motion, playing shows one picture per second, with a note", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
@@ -342,32 +350,35 @@ test("with reduced motion, playing shows one picture per second, with a note", a
   await expect(page.getByTestId("player-stills")).toBeEmpty();
 });
 
-test("the steps that are repeated are typed, and a number that does not fit is refused", async ({ page }) => {
-  const { viewport } = await openTrace(page, star);
-  await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
-  const steps = Number(await viewport.getAttribute("data-steps"));
-  const from = page.getByTestId("player-loop-from");
-  const to = page.getByTestId("player-loop-to");
-  await expect(from).toHaveCount(0);
-  await page.getByTestId("player-loop").click();
-  await expect(from).toHaveValue("0");
-  await expect(to).toHaveValue(String(Math.min(50, steps)));
-  await from.fill("2");
-  await from.press("Enter");
-  await to.fill(String(steps + 1));
-  await to.press("Enter");
-  await expect(to).toHaveAttribute("aria-invalid", "true");
-  await to.fill("3");
-  await to.press("Enter");
-  await to.press("ArrowUp");
-  await expect(to).toHaveValue("4");
-  await expect(page.getByTestId("player-loop")).toHaveAccessibleName("Repeat steps 2 to 4");
-  expect(await violations(page)).toEqual([]);
-  await page.getByTestId("player-loop").click();
-  await expect(from).toHaveCount(0);
-});
+sharedTest(
+  "the steps that are repeated are typed, and a number that does not fit is refused",
+  async ({ page }) => {
+    const { viewport } = await openTrace(page, star);
+    await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
+    const steps = Number(await viewport.getAttribute("data-steps"));
+    const from = page.getByTestId("player-loop-from");
+    const to = page.getByTestId("player-loop-to");
+    await expect(from).toHaveCount(0);
+    await page.getByTestId("player-loop").click();
+    await expect(from).toHaveValue("0");
+    await expect(to).toHaveValue(String(Math.min(50, steps)));
+    await from.fill("2");
+    await from.press("Enter");
+    await to.fill(String(steps + 1));
+    await to.press("Enter");
+    await expect(to).toHaveAttribute("aria-invalid", "true");
+    await to.fill("3");
+    await to.press("Enter");
+    await to.press("ArrowUp");
+    await expect(to).toHaveValue("4");
+    await expect(page.getByTestId("player-loop")).toHaveAccessibleName("Repeat steps 2 to 4");
+    expect(await violations(page)).toEqual([]);
+    await page.getByTestId("player-loop").click();
+    await expect(from).toHaveCount(0);
+  },
+);
 
-test("a condition is typed, corrected, jumped to and paused at, by keyboard", async ({ page }) => {
+sharedTest("a condition is typed, corrected, jumped to and paused at, by keyboard", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
   await choice(page, "Jump to").selectOption("condition");
   const field = page.getByTestId("player-condition");
@@ -405,33 +416,34 @@ test("a condition is typed, corrected, jumped to and paused at, by keyboard", as
   await expect(page.getByTestId("player-no-step")).toHaveText("No further step");
 });
 
-test("after the last step come the sweeps of the optimizer, whose poor elements the view shows", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await tab(page, "Front").click();
-  await recordButton(page).click();
-  await expect(app.viewport).toHaveAttribute("data-step", "0");
-  const sweeps = page.getByTestId("sweeps");
-  await expect(sweeps).toHaveCount(0);
-  await button(page, "Last state of the phase").click();
-  const count = Number(await sweeps.getAttribute("data-sweeps"));
-  expect(count).toBeGreaterThan(10);
-  await expect(sweeps.getByRole("row")).toHaveCount(count + 2);
-  const poorAfter = async (sweep: number): Promise<number> => {
-    await page.getByTestId(`sweep-${sweep}`).click();
-    await expect(sweeps).toHaveAttribute("data-sweep", String(sweep));
-    const text = (await page.getByTestId("sweeps-hint").textContent()) ?? "";
-    return text.startsWith("No element") ? 0 : Number(text.replace(/ .*/, "").replaceAll(",", ""));
-  };
-  expect(await poorAfter(0)).toBeGreaterThan(20);
-  expect(await poorAfter(count)).toBe(0);
-  expect(await violations(page)).toEqual([]);
-  // The same row again, or another step, shows the front.
-  await page.getByTestId(`sweep-${count}`).click();
-  await expect(sweeps).toHaveAttribute("data-sweep", "");
-  await button(page, "Step back").click();
-  await expect(sweeps).toHaveCount(0);
-  await expect(page.getByTestId("lens-sentence")).toBeVisible();
-});
+sharedTest(
+  "after the last step come the sweeps of the optimizer, whose poor elements the view shows",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await tab(page, "Front").click();
+    await recordButton(page).click();
+    await expect(app.viewport).toHaveAttribute("data-step", "0");
+    const sweeps = page.getByTestId("sweeps");
+    await expect(sweeps).toHaveCount(0);
+    await button(page, "Last state of the phase").click();
+    const count = Number(await sweeps.getAttribute("data-sweeps"));
+    expect(count).toBeGreaterThan(10);
+    await expect(sweeps.getByRole("row")).toHaveCount(count + 2);
+    const poorAfter = async (sweep: number): Promise<number> => {
+      await page.getByTestId(`sweep-${sweep}`).click();
+      await expect(sweeps).toHaveAttribute("data-sweep", String(sweep));
+      const text = (await page.getByTestId("sweeps-hint").textContent()) ?? "";
+      return text.startsWith("No element") ? 0 : Number(text.replace(/ .*/, "").replaceAll(",", ""));
+    };
+    expect(await poorAfter(0)).toBeGreaterThan(20);
+    expect(await poorAfter(count)).toBe(0);
+    expect(await violations(page)).toEqual([]);
+    // The same row again, or another step, shows the front.
+    await page.getByTestId(`sweep-${count}`).click();
+    await expect(sweeps).toHaveAttribute("data-sweep", "");
+    await button(page, "Step back").click();
+    await expect(sweeps).toHaveCount(0);
+    await expect(page.getByTestId("lens-sentence")).toBeVisible();
+  },
+);

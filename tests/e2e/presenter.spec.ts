@@ -113,43 +113,52 @@ async function present(page: Page): Promise<void> {
 const boxOf = async (part: Locator) =>
   (await part.boundingBox()) ?? { x: NaN, y: NaN, width: NaN, height: NaN };
 
-for (const [width, height] of [
+const screens = [
   [1280, 720],
   [1440, 900],
   [1920, 1080],
-] as const)
-  test(`at ${width} × ${height}, an audience sees the player in two rows, a large plane, and no label under a bar or the cube`, async ({
-    page,
-  }) => {
-    await page.setViewportSize({ width, height });
-    await openFront(page, "patch");
-    await present(page);
-    const player = page.getByTestId("player");
-    const rows = new Set<number>();
-    for (const part of [...(await player.getByRole("button").all()), player.getByTestId("player-counter")]) {
-      const { y, height } = await boxOf(part);
-      rows.add(Math.round((y + height / 2) / 10));
-    }
-    expect(rows.size).toBe(1);
-    await expect(slider(player, "Step of the front")).toBeInViewport({ ratio: 1 });
-    const view = await boxOf(page.getByRole("main"));
-    expect((await boxOf(page.getByTestId("presenter"))).y).toBeGreaterThanOrEqual(view.y + view.height);
-    await expect
-      .poll(async () => (await boxOf(page.getByTestId("plane-view").locator("svg g").first())).height)
-      .toBeGreaterThan(0.55 * view.height);
-    const canvas = await boxOf(page.getByTestId("viewport-canvas"));
-    const cube = { left: canvas.x + canvas.width - 102, bottom: canvas.y + 102 };
-    const cut = await boxOf(page.getByRole("group", { name: "Cut" }));
-    expect(cut.x + cut.width).toBeLessThan(cube.left);
-    for (const label of await page.getByTestId("lens-labels").locator("span").all()) {
-      const { x, y, width } = await boxOf(label);
-      const text = await label.innerText();
-      // Dots of candidates without a letter.
-      if (text === "") continue;
-      expect(x + width < cube.left || y > cube.bottom, `${text} beside the cube`).toBe(true);
-      expect(x > cut.x + cut.width || y > cut.y + cut.height, `${text} beside the bar`).toBe(true);
-    }
-  });
+] as const;
+
+test("an audience sees the player in two rows, a large plane, and no label under a bar or the cube", async ({
+  page,
+}) => {
+  await openFront(page, "patch");
+  await present(page);
+  for (const [width, height] of screens)
+    await test.step(`at ${width} × ${height}`, async () => {
+      await page.setViewportSize({ width, height });
+      await expect.poll(async () => (await boxOf(page.locator("body"))).width).toBe(width);
+      await new AppPage(page).rest();
+      const player = page.getByTestId("player");
+      const rows = new Set<number>();
+      for (const part of [
+        ...(await player.getByRole("button").all()),
+        player.getByTestId("player-counter"),
+      ]) {
+        const { y, height } = await boxOf(part);
+        rows.add(Math.round((y + height / 2) / 10));
+      }
+      expect(rows.size).toBe(1);
+      await expect(slider(player, "Step of the front")).toBeInViewport({ ratio: 1 });
+      const view = await boxOf(page.getByRole("main"));
+      expect((await boxOf(page.getByTestId("presenter"))).y).toBeGreaterThanOrEqual(view.y + view.height);
+      await expect
+        .poll(async () => (await boxOf(page.getByTestId("plane-view").locator("svg g").first())).height)
+        .toBeGreaterThan(0.55 * view.height);
+      const canvas = await boxOf(page.getByTestId("viewport-canvas"));
+      const cube = { left: canvas.x + canvas.width - 102, bottom: canvas.y + 102 };
+      const cut = await boxOf(page.getByRole("group", { name: "Cut" }));
+      expect(cut.x + cut.width).toBeLessThan(cube.left);
+      for (const label of await page.getByTestId("lens-labels").locator("span").all()) {
+        const { x, y, width } = await boxOf(label);
+        const text = await label.innerText();
+        // Dots of candidates without a letter.
+        if (text === "") continue;
+        expect(x + width < cube.left || y > cube.bottom, `${text} beside the cube`).toBe(true);
+        expect(x > cut.x + cut.width || y > cut.y + cut.height, `${text} beside the bar`).toBe(true);
+      }
+    });
+});
 
 test("no formula of the lens is broken across lines", async ({ page }) => {
   await openFront(page, "patch");

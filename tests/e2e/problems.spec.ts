@@ -1,39 +1,43 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import type { Project } from "tetrafront/project";
 import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
 import { generateButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("a problem of a model is shown in the inspector, in the view and in the list", async ({ page }) => {
-  const app = new AppPage(page);
-  const before = await app.openCube();
-  await app.select("point-7");
-  await app.type("position-x", "1.5");
-  const tree = page.getByTestId("tree-patch-2");
-  await expect(tree.getByRole("img", { name: "1 problem" })).toBeVisible();
-  await tree.click();
-  await expect(page.getByTestId("inspector")).toContainText("right");
-  await expect(page.getByTestId("inspector").locator("[data-code=not-planar]")).toContainText(/plan/);
-  await expect(page.getByTestId("marker-0")).toBeVisible();
+sharedTest(
+  "a problem of a model is shown in the inspector, in the view and in the list",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    const before = await app.openCube();
+    await app.select("point-7");
+    await app.type("position-x", "1.5");
+    const tree = page.getByTestId("tree-patch-2");
+    await expect(tree.getByRole("img", { name: "1 problem" })).toBeVisible();
+    await tree.click();
+    await expect(page.getByTestId("inspector")).toContainText("right");
+    await expect(page.getByTestId("inspector").locator("[data-code=not-planar]")).toContainText(/plan/);
+    await expect(page.getByTestId("marker-0")).toBeVisible();
 
-  await generateButton(page).click();
-  await expect(page.getByTestId("status")).toContainText("The model has errors");
-  await expect(page.getByTestId("problem-0")).toBeVisible();
-  // The last mesh is still shown, as out of date.
-  await expect(app.viewport).toHaveAttribute("data-stale", "true");
-  expect(await app.mesh()).toEqual(before);
+    await generateButton(page).click();
+    await expect(page.getByTestId("status")).toContainText("The model has errors");
+    await expect(page.getByTestId("problem-0")).toBeVisible();
+    // The last mesh is still shown, as out of date.
+    await expect(app.viewport).toHaveAttribute("data-stale", "true");
+    expect(await app.mesh()).toEqual(before);
 
-  await page.getByTestId("tree-point-1").or(page.getByTestId("tree-line-1")).first().click();
-  await page.getByTestId("problem-0").getByRole("button", { name: "Show" }).click();
-  await expect(page.locator('[role="treeitem"][aria-selected="true"]')).toHaveCount(1);
-  await expect(page.getByTestId("inspector").locator("[data-code]")).not.toHaveCount(0);
+    await page.getByTestId("tree-point-1").or(page.getByTestId("tree-line-1")).first().click();
+    await page.getByTestId("problem-0").getByRole("button", { name: "Show" }).click();
+    await expect(page.locator('[role="treeitem"][aria-selected="true"]')).toHaveCount(1);
+    await expect(page.getByTestId("inspector").locator("[data-code]")).not.toHaveCount(0);
 
-  await page.getByRole("button", { name: /^Undo/ }).click();
-  await expect(page.getByTestId("marker-0")).toBeHidden();
-  await expect(page.getByText("No problems found.")).toBeVisible();
-  expect(await app.meshed()).toEqual(before);
-});
+    await page.getByRole("button", { name: /^Undo/ }).click();
+    await expect(page.getByTestId("marker-0")).toBeHidden();
+    await expect(page.getByText("No problems found.")).toBeVisible();
+    expect(await app.meshed()).toEqual(before);
+  },
+);
 
-test("an open surface is reported immediately", async ({ page }) => {
+sharedTest("an open surface is reported immediately", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("patch-2");
@@ -45,7 +49,7 @@ test("an open surface is reported immediately", async ({ page }) => {
   expect(await app.meshed()).toEqual(before);
 });
 
-test("an invalid value stays in its field, with the reason", async ({ page }) => {
+sharedTest("an invalid value stays in its field, with the reason", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
@@ -59,7 +63,7 @@ test("an invalid value stays in its field, with the reason", async ({ page }) =>
   await expect(page.getByText("Enter a number, such as 0.25 or 1/3")).toBeVisible();
 });
 
-test("deleting a point deletes its dependents, and undo restores them all", async ({ page }) => {
+sharedTest("deleting a point deletes its dependents, and undo restores them all", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-1");
@@ -71,59 +75,60 @@ test("deleting a point deletes its dependents, and undo restores them all", asyn
   expect(await app.meshed()).toEqual(before);
 });
 
-test("each triangle of a self-intersecting boundary is listed with its position and can be shown in the view", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  // Two patches between the same parabolas, closer together than such coarse triangles can resolve.
-  const positions = [
-    [0, 0, 0],
-    [1, 0, 0],
-    [0, 1, 0],
-    [0.5, -0.152, -0.25],
-    [0.5, 0.5, -0.36],
-    [0.012, 0.5, -0.04],
-  ];
-  const crescent = {
-    ...sampleProject("barrel"),
-    points: positions.map((at, i) => ({ id: i + 1, position: at })),
-    lines: [
-      { id: 1, type: "parabolic", points: [1, 4, 2] },
-      { id: 2, type: "parabolic", points: [2, 5, 3] },
-      { id: 3, type: "parabolic", points: [3, 6, 1] },
-    ],
-    patches: [
-      { id: 1, name: "lower", type: "isoparametric-triangle", loops: [[1, 2, 3]] },
-      { id: 2, name: "upper", type: "barnhill-gregory-nielson", loops: [[1, 2, 3]] },
-    ],
-    meshing: { size: 0.5 },
-  };
-  await app.openFile("crescent.json", JSON.stringify(crescent));
-  const group = page.getByTestId("problems-self-intersection");
-  const first = group.locator("[data-code=self-intersection]").first();
-  await expect(first).toContainText("The surface intersects itself: patch");
-  await first.getByTestId("triangles").locator("summary").click();
-  const rows = first.getByRole("listitem");
-  expect(await rows.count()).toBeGreaterThan(1);
-  await expect(rows.first()).toContainText(/Triangle \d+ at -?\d/);
-  const before = await app.viewport.screenshot();
-  await nextFrame(app.viewport, () => rows.first().getByRole("button").click());
-  await expect(rows.first().getByRole("button")).toHaveAttribute("aria-pressed", "true");
-  await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
-  // The view is centred near the stated position of the triangle.
-  const text = (await rows.first().textContent()) ?? "";
-  const position = text.split(" at ")[1]?.split(", ").map(Number);
-  const box = await app.viewport.boundingBox();
-  const { x, y } = await page.evaluate((at) => {
-    const { tetrafrontPosition } = window as unknown as {
-      tetrafrontPosition: (at: unknown) => { x: number; y: number };
+sharedTest(
+  "each triangle of a self-intersecting boundary is listed with its position and can be shown in the view",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    // Two patches between the same parabolas, closer together than such coarse triangles can resolve.
+    const positions = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 0],
+      [0.5, -0.152, -0.25],
+      [0.5, 0.5, -0.36],
+      [0.012, 0.5, -0.04],
+    ];
+    const crescent = {
+      ...sampleProject("barrel"),
+      points: positions.map((at, i) => ({ id: i + 1, position: at })),
+      lines: [
+        { id: 1, type: "parabolic", points: [1, 4, 2] },
+        { id: 2, type: "parabolic", points: [2, 5, 3] },
+        { id: 3, type: "parabolic", points: [3, 6, 1] },
+      ],
+      patches: [
+        { id: 1, name: "lower", type: "isoparametric-triangle", loops: [[1, 2, 3]] },
+        { id: 2, name: "upper", type: "barnhill-gregory-nielson", loops: [[1, 2, 3]] },
+      ],
+      meshing: { size: 0.5 },
     };
-    return tetrafrontPosition(at);
-  }, position);
-  expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.15 * (box?.width ?? 0));
-  expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.15 * (box?.height ?? 0));
-});
+    await app.openFile("crescent.json", JSON.stringify(crescent));
+    const group = page.getByTestId("problems-self-intersection");
+    const first = group.locator("[data-code=self-intersection]").first();
+    await expect(first).toContainText("The surface intersects itself: patch");
+    await first.getByTestId("triangles").locator("summary").click();
+    const rows = first.getByRole("listitem");
+    expect(await rows.count()).toBeGreaterThan(1);
+    await expect(rows.first()).toContainText(/Triangle \d+ at -?\d/);
+    const before = await app.viewport.screenshot();
+    await nextFrame(app.viewport, () => rows.first().getByRole("button").click());
+    await expect(rows.first().getByRole("button")).toHaveAttribute("aria-pressed", "true");
+    await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+    // The view is centred near the stated position of the triangle.
+    const text = (await rows.first().textContent()) ?? "";
+    const position = text.split(" at ")[1]?.split(", ").map(Number);
+    const box = await app.viewport.boundingBox();
+    const { x, y } = await page.evaluate((at) => {
+      const { tetrafrontPosition } = window as unknown as {
+        tetrafrontPosition: (at: unknown) => { x: number; y: number };
+      };
+      return tetrafrontPosition(at);
+    }, position);
+    expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.15 * (box?.width ?? 0));
+    expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.15 * (box?.height ?? 0));
+  },
+);
 
 /**
  * Returns a ring of three straight bars with a patch, "gate", across one of them; the same region lies on both
@@ -174,7 +179,7 @@ function ringWithGate(): Project {
   };
 }
 
-test("a dangling sheet inside a region is highlighted in the view", async ({ page }) => {
+sharedTest("a dangling sheet inside a region is highlighted in the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const project = ringWithGate();

@@ -5,6 +5,7 @@ import { linkTo, type LinkedProject } from "../../web/commands/project-link";
 import { AppPage, countColours, forEachPixel, nextFrame, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
 import { button } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const forTest = (link: string): string => link.replace("/#", "/?test=1#");
 
@@ -147,7 +148,7 @@ test("a link opens a project beside one's own, and a damaged one says so and lea
   await expect(rows).toHaveText([/^Changed/, /^Mine/]);
 });
 
-test("the length of a link is told; a file is offered if it is too long", async ({ page }) => {
+sharedTest("the length of a link is told; a file is offered if it is too long", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("share-link").click();
@@ -169,62 +170,63 @@ test("the length of a link is told; a file is offered if it is too long", async 
   expect(JSON.parse(new TextDecoder().decode(file))).toMatchObject({ description: noise });
 });
 
-test("a picture of the view has the size asked for, with or without background, and is the same again", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const picture = async (
-    size: readonly [number, number],
-    uncheck: readonly string[] = [],
-    check: readonly string[] = [],
-  ) =>
-    Buffer.from(
-      await downloaded(page, async () => {
-        await page.getByTestId("export-image").click();
-        await page.getByTestId("image-width").fill(String(size[0]));
-        await page.getByTestId("image-height").fill(String(size[1]));
-        for (const option of uncheck) await page.getByTestId(`image-${option}`).uncheck();
-        for (const option of check) await page.getByTestId(`image-${option}`).check();
-        await page.getByTestId("image-save").click();
-      }),
-    );
-  const sizeOf = (png: Buffer) => [png.readUInt32BE(16), png.readUInt32BE(20)];
-  // Wider than a buffer of the graphics processor: it is drawn in tiles.
-  const wide = await picture([4200, 600]);
-  expect(sizeOf(wide)).toEqual([4200, 600]);
-  const square = await picture([700, 700]);
-  expect(sizeOf(square)).toEqual([700, 700]);
-  expect(countColours(square)).toBeGreaterThan(60);
-  expect((await picture([700, 700])).equals(square)).toBe(true);
+sharedTest(
+  "a picture of the view has the size asked for, with or without background, and is the same again",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const picture = async (
+      size: readonly [number, number],
+      uncheck: readonly string[] = [],
+      check: readonly string[] = [],
+    ) =>
+      Buffer.from(
+        await downloaded(page, async () => {
+          await page.getByTestId("export-image").click();
+          await page.getByTestId("image-width").fill(String(size[0]));
+          await page.getByTestId("image-height").fill(String(size[1]));
+          for (const option of uncheck) await page.getByTestId(`image-${option}`).uncheck();
+          for (const option of check) await page.getByTestId(`image-${option}`).check();
+          await page.getByTestId("image-save").click();
+        }),
+      );
+    const sizeOf = (png: Buffer) => [png.readUInt32BE(16), png.readUInt32BE(20)];
+    const square = await picture([700, 700]);
+    expect(sizeOf(square)).toEqual([700, 700]);
+    expect(countColours(square)).toBeGreaterThan(60);
+    expect((await picture([700, 700])).equals(square)).toBe(true);
 
-  // In whichever tiles, the model is where it is.
-  const extent = (png: Buffer): readonly number[] => {
-    const [width = 1, height = 1] = sizeOf(png);
-    const [xs, ys]: [number[], number[]] = [[], []];
-    let at = 0;
-    forEachPixel(png, (_r, g, b) => {
-      if (g > b + 40) {
-        xs.push((at % width) / height);
-        ys.push(Math.floor(at / width) / height);
-      }
-      at += 1;
-    });
-    const low = (values: readonly number[]) => values.reduce((a, b) => Math.min(a, b), Infinity);
-    const high = (values: readonly number[]) => values.reduce((a, b) => Math.max(a, b), -Infinity);
-    return [high(xs) - low(xs), low(ys), high(ys)];
-  };
-  const plain = { uncheck: ["legend", "axes"], check: ["transparent"] } as const;
-  const small = extent(await picture([1050, 300], plain.uncheck, plain.check));
-  const large = extent(await picture([4200, 1200], plain.uncheck, plain.check));
-  for (const [i, value] of small.entries()) expect(large[i]).toBeCloseTo(value, 1.7);
+    // In whichever tiles, the model is where it is.
+    const extent = (png: Buffer): readonly number[] => {
+      const [width = 1, height = 1] = sizeOf(png);
+      const [xs, ys]: [number[], number[]] = [[], []];
+      let at = 0;
+      forEachPixel(png, (_r, g, b) => {
+        if (g > b + 40) {
+          xs.push((at % width) / height);
+          ys.push(Math.floor(at / width) / height);
+        }
+        at += 1;
+      });
+      const low = (values: readonly number[]) => values.reduce((a, b) => Math.min(a, b), Infinity);
+      const high = (values: readonly number[]) => values.reduce((a, b) => Math.max(a, b), -Infinity);
+      return [high(xs) - low(xs), low(ys), high(ys)];
+    };
+    const plain = { uncheck: ["legend", "axes"], check: ["transparent"] } as const;
+    const small = extent(await picture([1050, 300], plain.uncheck, plain.check));
+    // Wider than a buffer of the graphics processor: it is drawn in tiles.
+    const wide = await picture([4200, 1200], plain.uncheck, plain.check);
+    expect(sizeOf(wide)).toEqual([4200, 1200]);
+    const large = extent(wide);
+    for (const [i, value] of small.entries()) expect(large[i]).toBeCloseTo(value, 1.7);
 
-  // What is asked for and impossible is refused.
-  await page.getByTestId("export-image").click();
-  await page.getByTestId("image-width").fill("20000");
-  await page.getByTestId("image-save").click();
-  await expect(page.getByText("1 to 16,384 whole pixels a side")).toBeVisible();
-});
+    // What is asked for and impossible is refused.
+    await page.getByTestId("export-image").click();
+    await page.getByTestId("image-width").fill("20000");
+    await page.getByTestId("image-save").click();
+    await expect(page.getByText("1 to 16,384 whole pixels a side")).toBeVisible();
+  },
+);
 
 test("a link that was entered and cannot be followed says so", async ({ page }) => {
   await new AppPage(page).openCube();

@@ -5,6 +5,7 @@ import { readProject } from "tetrafront/project";
 import { cubeProject } from "../support/projects";
 import { AppPage, nextFrame } from "./app-page";
 import { tab, toggle, undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /** Downloads the report from the app and returns it. */
 async function reportOf({ page }: AppPage): Promise<MeshReport> {
@@ -48,29 +49,30 @@ test("the quality report shows the statistics of all regions together and of eac
   expect(await counted("edge")).toBe(sum(second?.edge ?? []));
 });
 
-test("a lattice interior: the statistics have its share, and the cut says what its pattern is", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await expect(page.getByText("Lattice interior")).toBeHidden();
-  const project = { ...cubeProject(0.08), name: "Lattice", meshing: { interior: "lattice" } };
-  await app.openFile("lattice.json", JSON.stringify(project));
-  await expect(page.getByTestId("project-name")).toHaveValue("Lattice");
-  await app.generate();
-  const { interior, tetrahedra } = await reportOf(app);
-  const share = `${Number(((100 * interior.lattice) / tetrahedra).toPrecision(2))} % of the elements`;
-  expect(interior.lattice).toBeGreaterThan(0.1 * tetrahedra);
-  await expect(page.getByRole("term").filter({ hasText: "Lattice interior" })).toBeVisible();
-  await expect(page.getByRole("definition").filter({ hasText: share })).toBeVisible();
-  await tab(page, "Display").click();
-  const note = page.getByText(`The even pattern inside is the lattice, ${share}`);
-  await expect(note).toBeHidden();
-  await toggle(page, "Cut mesh").check({ force: true });
-  await expect(note).toBeVisible();
-});
+sharedTest(
+  "a lattice interior: the statistics have its share, and the cut says what its pattern is",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await expect(page.getByText("Lattice interior")).toBeHidden();
+    const project = { ...cubeProject(0.08), name: "Lattice", meshing: { interior: "lattice" } };
+    await app.openFile("lattice.json", JSON.stringify(project));
+    await expect(page.getByTestId("project-name")).toHaveValue("Lattice");
+    await app.generate();
+    const { interior, tetrahedra } = await reportOf(app);
+    const share = `${Number(((100 * interior.lattice) / tetrahedra).toPrecision(2))} % of the elements`;
+    expect(interior.lattice).toBeGreaterThan(0.1 * tetrahedra);
+    await expect(page.getByRole("term").filter({ hasText: "Lattice interior" })).toBeVisible();
+    await expect(page.getByRole("definition").filter({ hasText: share })).toBeVisible();
+    await tab(page, "Display").click();
+    const note = page.getByText(`The even pattern inside is the lattice, ${share}`);
+    await expect(note).toBeHidden();
+    await toggle(page, "Cut mesh").check({ force: true });
+    await expect(note).toBeVisible();
+  },
+);
 
-test("radius ratios say what they are at the pointer", async ({ page }) => {
+sharedTest("radius ratios say what they are at the pointer", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await tab(page, "Quality").click();
@@ -83,72 +85,78 @@ test("radius ratios say what they are at the pointer", async ({ page }) => {
   await expect(page.getByRole("tooltip")).toContainText("1: equilateral. 0: without area");
 });
 
-test("a click on one of the worst elements moves the camera to it and highlights it", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  const { quality } = await reportOf(app);
-  await tab(page, "Quality").click();
-  await app.stillView();
-  const centre = [0.5, 0.5, 0.5] as const;
-  const inView = (target: readonly [number, number, number]) =>
-    page.evaluate((position) => {
-      return (window as unknown as { tetrafrontPosition: (position: unknown) => unknown }).tetrafrontPosition(
-        position,
-      ) as { x: number; y: number };
-    }, target);
-  const whole = await inView(centre);
-  for (const index of [0, 9]) {
-    const row = page.getByTestId(`worst-${index}`);
-    const element = quality.worst[index];
-    const number = element?.tetrahedron.toLocaleString("en-US");
-    await expect(row).toHaveAccessibleName(new RegExp(`^Go to tetrahedron ${number} at `));
-    const before = await app.viewport.screenshot();
-    await nextFrame(app.viewport, () => row.click());
-    await expect(row).toHaveAttribute("aria-pressed", "true");
-    await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
-    const position = element?.centroid ?? [NaN, NaN, NaN];
-    const box = await app.viewport.boundingBox();
-    // The camera has moved: the element is in the middle of the view.
-    const { x, y } = await inView(position);
-    expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.1 * (box?.width ?? 0));
-    expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.1 * (box?.height ?? 0));
-  }
-  // The mesh was cut open at the element.
-  const cut = toggle(page, "Cut");
-  await expect(cut).toBeChecked();
-  const open = await app.stillView();
-  await page.keyboard.press("x");
-  await expect(cut).not.toBeChecked();
-  expect((await app.stillView()).equals(open)).toBe(false);
-  await page.keyboard.press("Escape");
-  await page.keyboard.press("f");
-  await expect(page.getByTestId("worst-9")).toHaveAttribute("aria-pressed", "false");
-  await expect.poll(async () => Math.round((await inView(centre)).x)).toBe(Math.round(whole.x));
-});
+sharedTest(
+  "a click on one of the worst elements moves the camera to it and highlights it",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    const { quality } = await reportOf(app);
+    await tab(page, "Quality").click();
+    await app.stillView();
+    const centre = [0.5, 0.5, 0.5] as const;
+    const inView = (target: readonly [number, number, number]) =>
+      page.evaluate((position) => {
+        return (
+          window as unknown as { tetrafrontPosition: (position: unknown) => unknown }
+        ).tetrafrontPosition(position) as { x: number; y: number };
+      }, target);
+    const whole = await inView(centre);
+    for (const index of [0, 9]) {
+      const row = page.getByTestId(`worst-${index}`);
+      const element = quality.worst[index];
+      const number = element?.tetrahedron.toLocaleString("en-US");
+      await expect(row).toHaveAccessibleName(new RegExp(`^Go to tetrahedron ${number} at `));
+      const before = await app.viewport.screenshot();
+      await nextFrame(app.viewport, () => row.click());
+      await expect(row).toHaveAttribute("aria-pressed", "true");
+      await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+      const position = element?.centroid ?? [NaN, NaN, NaN];
+      const box = await app.viewport.boundingBox();
+      // The camera has moved: the element is in the middle of the view.
+      const { x, y } = await inView(position);
+      expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.1 * (box?.width ?? 0));
+      expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.1 * (box?.height ?? 0));
+    }
+    // The mesh was cut open at the element.
+    const cut = toggle(page, "Cut");
+    await expect(cut).toBeChecked();
+    const open = await app.stillView();
+    await page.keyboard.press("x");
+    await expect(cut).not.toBeChecked();
+    expect((await app.stillView()).equals(open)).toBe(false);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("f");
+    await expect(page.getByTestId("worst-9")).toHaveAttribute("aria-pressed", "false");
+    await expect.poll(async () => Math.round((await inView(centre)).x)).toBe(Math.round(whole.x));
+  },
+);
 
-test("the mesh settings affect the mesh, can be undone, and are saved in the file", async ({ page }) => {
-  const app = new AppPage(page);
-  const before = await app.openCube();
-  await page.getByTestId("mesh-settings").locator("summary").click();
-  await page.getByRole("radiogroup", { name: "Front order" }).getByText("Smallest first").click();
-  await page.getByRole("radiogroup", { name: "Optimization" }).getByText("0").click();
-  await app.type("gradation", "0.5");
-  await expect(page.getByText("Must be 0, or above 1")).toBeVisible();
-  await app.type("gradation", "0");
-  await expect(app.viewport).toHaveAttribute("data-stale", "true");
-  const set = await app.generate();
-  expect(set.fingerprint).not.toBe(before.fingerprint);
-  expect((await reportOf(app)).seconds.optimize).toBeLessThan(0.01);
-  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
-  const read = readProject(await readFile(await download.path(), "utf8"));
-  expect(read.success && read.value.meshing).toEqual({
-    gradation: 0,
-    order: "smallest-first",
-    optimization: "none",
-  });
-  for (let i = 0; i < 3; ++i) await undoButton(page).click();
-  expect(await app.meshed()).toEqual(before);
-});
+sharedTest(
+  "the mesh settings affect the mesh, can be undone, and are saved in the file",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    const before = await app.openCube();
+    await page.getByTestId("mesh-settings").locator("summary").click();
+    await page.getByRole("radiogroup", { name: "Front order" }).getByText("Smallest first").click();
+    await page.getByRole("radiogroup", { name: "Optimization" }).getByText("0").click();
+    await app.type("gradation", "0.5");
+    await expect(page.getByText("Must be 0, or above 1")).toBeVisible();
+    await app.type("gradation", "0");
+    await expect(app.viewport).toHaveAttribute("data-stale", "true");
+    const set = await app.generate();
+    expect(set.fingerprint).not.toBe(before.fingerprint);
+    expect((await reportOf(app)).seconds.optimize).toBeLessThan(0.01);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+    const read = readProject(await readFile(await download.path(), "utf8"));
+    expect(read.success && read.value.meshing).toEqual({
+      gradation: 0,
+      order: "smallest-first",
+      optimization: "none",
+    });
+    for (let i = 0; i < 3; ++i) await undoButton(page).click();
+    expect(await app.meshed()).toEqual(before);
+  },
+);
 
 test("a closed shell inside a region is a cavity, or a region if the settings say so", async ({ page }) => {
   const app = new AppPage(page);
@@ -167,42 +175,43 @@ test("a closed shell inside a region is a cavity, or a region if the settings sa
   expect(await app.meshed()).toEqual(before);
 });
 
-test("one switch measures the whole report of a stretched mesh in the metric or in space", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.open("dark", "wing-in-a-tunnel");
-  await tab(page, "Quality").click();
-  const choice = page.getByTestId("quality-space");
-  const facts = page.getByTestId("chart-dihedral-facts");
-  const worst = page.getByTestId("worst-0");
-  await expect(choice.getByRole("radio", { name: "Metric" })).toBeChecked();
-  /** Expects that the report, its histogram, the status bar, the legend and the view's label show the same space. */
-  const expectSmallest = async (space: string): Promise<void> => {
-    const smallest = page.getByTestId("min-dihedral");
-    await expect(smallest).toContainText(space);
-    const angle = /[\d.]+°/.exec(String(await smallest.textContent()))?.[0] ?? "";
-    await expect(facts).toContainText(`min ${angle}`);
-    await expect(page.getByTestId("legend")).toContainText(space);
-    await expect(page.getByTestId("viewport-canvas")).toHaveAttribute(
-      "aria-label",
-      new RegExp(`smallest dihedral angle ${angle} ${space}`),
-    );
-    const bars = await page.getByTestId("chart-dihedral").getByRole("listitem").all();
-    const labels = await Promise.all(bars.map((bar) => bar.getAttribute("aria-label")));
-    const first = labels.findIndex((label) => !label?.startsWith("0 "));
-    expect(first).toBe(Math.floor(parseFloat(angle) / 5));
-  };
-  await expect(page.getByRole("heading", { name: "Edge length / target" })).toBeVisible();
-  const inMetric = await worst.textContent();
-  await expectSmallest("in the metric");
+sharedTest(
+  "one switch measures the whole report of a stretched mesh in the metric or in space",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open("dark", "wing-in-a-tunnel");
+    await tab(page, "Quality").click();
+    const choice = page.getByTestId("quality-space");
+    const facts = page.getByTestId("chart-dihedral-facts");
+    const worst = page.getByTestId("worst-0");
+    await expect(choice.getByRole("radio", { name: "Metric" })).toBeChecked();
+    /** Expects that the report, its histogram, the status bar, the legend and the view's label show the same space. */
+    const expectSmallest = async (space: string): Promise<void> => {
+      const smallest = page.getByTestId("min-dihedral");
+      await expect(smallest).toContainText(space);
+      const angle = /[\d.]+°/.exec(String(await smallest.textContent()))?.[0] ?? "";
+      await expect(facts).toContainText(`min ${angle}`);
+      await expect(page.getByTestId("legend")).toContainText(space);
+      await expect(page.getByTestId("viewport-canvas")).toHaveAttribute(
+        "aria-label",
+        new RegExp(`smallest dihedral angle ${angle} ${space}`),
+      );
+      const bars = await page.getByTestId("chart-dihedral").getByRole("listitem").all();
+      const labels = await Promise.all(bars.map((bar) => bar.getAttribute("aria-label")));
+      const first = labels.findIndex((label) => !label?.startsWith("0 "));
+      expect(first).toBe(Math.floor(parseFloat(angle) / 5));
+    };
+    await expect(page.getByRole("heading", { name: "Edge length / target" })).toBeVisible();
+    const inMetric = await worst.textContent();
+    await expectSmallest("in the metric");
 
-  await choice.getByText("Space").click();
-  await expect(page.getByRole("heading", { name: "Edge length / mean" })).toBeVisible();
-  await expect(worst).not.toHaveText(String(inMetric));
-  await expectSmallest("in space");
+    await choice.getByText("Space").click();
+    await expect(page.getByRole("heading", { name: "Edge length / mean" })).toBeVisible();
+    await expect(worst).not.toHaveText(String(inMetric));
+    await expectSmallest("in space");
 
-  await app.openExample("unit-cube");
-  await expect(page.getByTestId("quality-report")).toBeVisible();
-  await expect(choice).toHaveCount(0);
-});
+    await app.openExample("unit-cube");
+    await expect(page.getByTestId("quality-report")).toBeVisible();
+    await expect(choice).toHaveCount(0);
+  },
+);

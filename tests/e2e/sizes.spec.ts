@@ -8,6 +8,7 @@ import { countActions, expectActions } from "./actions";
 import { AppPage, forEachPixel, nextFrame, sampleProject, type Position } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes } from "./drop-bytes";
+import { sharedTest } from "./shared-page";
 
 type Colour = readonly [red: number, green: number, blue: number];
 
@@ -58,6 +59,7 @@ class SizesPage extends AppPage {
 
   /** Opens an empty project, without native file dialogs. */
   async openNew(): Promise<void> {
+    if (await this.openEmptyAgain()) return;
     await this.page.addInitScript(() => {
       Reflect.deleteProperty(window, "showOpenFilePicker");
       Reflect.deleteProperty(window, "showSaveFilePicker");
@@ -143,7 +145,7 @@ test("the engine intake's background grid is built by pointer and keyboard, and 
   expect(defects).toEqual(noDefects);
 });
 
-test("an imported STL gets a source drawn by two clicks, which refines the mesh", async ({ page }) => {
+sharedTest("an imported STL gets a source drawn by two clicks, which refines the mesh", async ({ page }) => {
   const app = new SizesPage(page);
   await app.openNew();
   await dropBytes(page, stlBinary(sphereSurface(8)), "ball.stl");
@@ -170,74 +172,83 @@ test("an imported STL gets a source drawn by two clicks, which refines the mesh"
   expect(Math.abs(meshVolume(mesh) / ((4 / 3) * Math.PI) - 1)).toBeLessThan(0.1);
 });
 
-test("handles change size and stretching of a node, and undo takes each drag back", async ({ page }) => {
-  const app = new SizesPage(page);
-  await app.openCube();
-  await page.getByTestId("tool-node").click();
-  await page.keyboard.press("v");
-  await app.select("background-node-1");
-  // A ball of radius 1 around (-0.5, -0.5, -0.5), with the handle of its direction.
-  await app.type("node-size", "2");
-  const nodeOf = async () => (await app.project()).background.nodes.find(({ id }) => id === 1);
-  const node = await nodeOf();
-  expect(node).toMatchObject({ position: [-0.5, -0.5, -0.5], size: 2 });
-  expect(node?.stretching ?? 1).toBe(1);
-  await app.show([0.5, -0.5, -0.5], [1, -0.5, -0.5]);
-  await nextFrame(app.viewport, () => app.drag([0.5, -0.5, -0.5], [1, -0.5, -0.5]));
-  await expect.poll(async () => (await nodeOf())?.stretching ?? 1).toBeGreaterThan(1.1);
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Control+z");
-  await expect.poll(nodeOf).toEqual(node);
-});
+sharedTest(
+  "handles change size and stretching of a node, and undo takes each drag back",
+  async ({ page }) => {
+    const app = new SizesPage(page);
+    await app.openCube();
+    await page.getByTestId("tool-node").click();
+    await page.keyboard.press("v");
+    await app.select("background-node-1");
+    // A ball of radius 1 around (-0.5, -0.5, -0.5), with the handle of its direction.
+    await app.type("node-size", "2");
+    const nodeOf = async () => (await app.project()).background.nodes.find(({ id }) => id === 1);
+    const node = await nodeOf();
+    expect(node).toMatchObject({ position: [-0.5, -0.5, -0.5], size: 2 });
+    expect(node?.stretching ?? 1).toBe(1);
+    await app.show([0.5, -0.5, -0.5], [1, -0.5, -0.5]);
+    await nextFrame(app.viewport, () => app.drag([0.5, -0.5, -0.5], [1, -0.5, -0.5]));
+    await expect.poll(async () => (await nodeOf())?.stretching ?? 1).toBeGreaterThan(1.1);
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+z");
+    await expect.poll(nodeOf).toEqual(node);
+  },
+);
 
 const isYellow = ([red, green, blue]: Colour): boolean => Math.min(red, green) > blue + 50;
 
-test("target sizes are shown before meshing on the model and a plane, with a legend", async ({ page }) => {
-  const app = new SizesPage(page);
-  const wing = sampleProject("unit-cube");
-  await app.openProject({
-    ...wing,
-    background: {
-      ...wing.background,
-      sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 0.02, distance: 0.05, growth: 0.3 }],
-    },
-  });
-  await page.getByTestId("show-sizes").click();
-  await expect(page.getByTestId("size-legend")).toContainText("0.02");
-  await expect(page.getByTestId("size-bar")).toBeVisible();
-  // Small sizes are blue, large ones yellow.
-  await expect.poll(async () => isYellow(await app.colourAt([0.9, 0, 0.1]))).toBe(true);
-  const [, green, blue] = await app.colourAt([0.1, 0, 0.1]);
-  expect(blue).toBeGreaterThan(0.7 * green);
-  const slider = page.getByRole("slider", { name: "Position of the plane" });
-  await slider.focus();
-  await nextFrame(app.viewport, () => page.keyboard.press("ArrowRight"));
-  await page.getByTestId("size-bar").getByText("x", { exact: true }).click();
-  await page.keyboard.press("Shift+D");
-  await expect(page.getByTestId("size-legend")).toBeHidden();
-});
+sharedTest(
+  "target sizes are shown before meshing on the model and a plane, with a legend",
+  async ({ page }) => {
+    const app = new SizesPage(page);
+    const wing = sampleProject("unit-cube");
+    await app.openProject({
+      ...wing,
+      background: {
+        ...wing.background,
+        sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 0.02, distance: 0.05, growth: 0.3 }],
+      },
+    });
+    await page.getByTestId("show-sizes").click();
+    await expect(page.getByTestId("size-legend")).toContainText("0.02");
+    await expect(page.getByTestId("size-bar")).toBeVisible();
+    // Small sizes are blue, large ones yellow.
+    await expect.poll(async () => isYellow(await app.colourAt([0.9, 0, 0.1]))).toBe(true);
+    const [, green, blue] = await app.colourAt([0.1, 0, 0.1]);
+    expect(blue).toBeGreaterThan(0.7 * green);
+    const slider = page.getByRole("slider", { name: "Position of the plane" });
+    await slider.focus();
+    await nextFrame(app.viewport, () => page.keyboard.press("ArrowRight"));
+    await page.getByTestId("size-bar").getByText("x", { exact: true }).click();
+    await page.keyboard.press("Shift+D");
+    await expect(page.getByTestId("size-legend")).toBeHidden();
+  },
+);
 
-test("a number of elements is reached; without it, the sizes are the given ones again", async ({ page }) => {
-  const app = new SizesPage(page);
-  await app.openCube();
-  const { tets: before } = await app.mesh();
-  await page.getByRole("switch", { name: "Reach a number of elements" }).click();
-  await app.type("elements", "2500");
-  expectNear((await app.generate()).tets, 2500);
-  const slider = page.getByRole("slider", { name: "Elements" });
-  await slider.press("ArrowRight");
-  await expect(page.getByTestId("elements")).not.toHaveValue("2500");
-  await app.type("elements", "0");
-  await expect(page.getByText("Must be a whole number from 1 to 20 million")).toBeVisible();
-  await page.getByRole("switch", { name: "Reach a number of elements" }).click();
-  await expect(page.getByTestId("elements")).toBeHidden();
-  expect((await app.generate()).tets).toBe(before);
-});
+sharedTest(
+  "a number of elements is reached; without it, the sizes are the given ones again",
+  async ({ page }) => {
+    const app = new SizesPage(page);
+    await app.openCube();
+    const { tets: before } = await app.mesh();
+    await page.getByRole("switch", { name: "Reach a number of elements" }).click();
+    await app.type("elements", "2500");
+    expectNear((await app.generate()).tets, 2500);
+    const slider = page.getByRole("slider", { name: "Elements" });
+    await slider.press("ArrowRight");
+    await expect(page.getByTestId("elements")).not.toHaveValue("2500");
+    await app.type("elements", "0");
+    await expect(page.getByText("Must be a whole number from 1 to 20 million")).toBeVisible();
+    await page.getByRole("switch", { name: "Reach a number of elements" }).click();
+    await expect(page.getByTestId("elements")).toBeHidden();
+    expect((await app.generate()).tets).toBe(before);
+  },
+);
 
 const expectNear = (count: number, wanted: number): void =>
   expect(Math.abs(count / wanted - 1)).toBeLessThanOrEqual(0.05);
 
-test("a problem is fixed by its button, and undo brings it back", async ({ page }) => {
+sharedTest("a problem is fixed by its button, and undo brings it back", async ({ page }) => {
   const app = new SizesPage(page);
   const cube = sampleProject("unit-cube");
   await app.openProject({ ...cube, patches: cube.patches.slice(2) });

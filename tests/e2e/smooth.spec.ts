@@ -1,6 +1,7 @@
-import { expect, test, type Page } from "@playwright/test";
+import { expect, type Page } from "@playwright/test";
 import { AppPage, sampleProject } from "./app-page";
 import { undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /** Runs a command by its name. */
 async function run(page: Page, name: string): Promise<void> {
@@ -9,7 +10,7 @@ async function run(page: Page, name: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
-test("a patch becomes smooth with its lines, and undo restores both", async ({ page }) => {
+sharedTest("a patch becomes smooth with its lines, and undo restores both", async ({ page }) => {
   const app = new AppPage(page);
   await app.open("dark", "engine-intake");
   const project = sampleProject("engine-intake");
@@ -30,7 +31,7 @@ test("a patch becomes smooth with its lines, and undo restores both", async ({ p
   await expect(page.getByTestId("line-type")).toHaveValue("cubic spline");
 });
 
-test("zebra stripes and curvatures replace the mesh, with a legend", async ({ page }) => {
+sharedTest("zebra stripes and curvatures replace the mesh, with a legend", async ({ page }) => {
   const app = new AppPage(page);
   await app.open("dark", "smooth-intake");
   await run(page, "Zebra stripes on patches");
