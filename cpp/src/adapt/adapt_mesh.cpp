@@ -60,6 +60,18 @@ constexpr double kSignRounding = 1e-14;
 
 }  // namespace
 
+void AdaptMesh::save(State& state) const {
+  state.elements = elements;
+  state.nodes = nodes;
+  state.free = free_;
+}
+
+void AdaptMesh::restore(const State& state) {
+  elements = state.elements;
+  nodes = state.nodes;
+  free_ = state.free;
+}
+
 TetId AdaptMesh::addElement() {
   if (free_.empty()) {
     elements.emplace_back();
@@ -75,9 +87,7 @@ void AdaptMesh::removeElement(TetId id) {
   free_.push_back(id);
 }
 
-double AdaptMesh::lengthOf(NodeId a, NodeId b) const {
-  const AdaptNode& from = node(a);
-  const AdaptNode& to = node(b);
+double metricLengthBetween(const AdaptNode& from, const AdaptNode& to) {
   const Vec3 e = to.point - from.point;
   return quickLogarithmicMean(std::sqrt(squaredLength(from.metric, e)),
                               std::sqrt(squaredLength(to.metric, e)));

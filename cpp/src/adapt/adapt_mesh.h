@@ -119,6 +119,9 @@ class Marks {
   std::uint32_t now_ = 0;
 };
 
+/// Metric length of the edge between two nodes: the logarithmic mean of its lengths in the metrics of both.
+[[nodiscard]] double metricLengthBetween(const AdaptNode& from, const AdaptNode& to);
+
 class AdaptMesh {
  public:
   std::vector<AdaptNode> nodes;
@@ -136,8 +139,19 @@ class AdaptMesh {
   TetId addElement();
   void removeElement(TetId id);
 
-  /// Metric length of an edge: the logarithmic mean of its lengths in the metrics of both ends.
-  [[nodiscard]] double lengthOf(NodeId a, NodeId b) const;
+  /// All elements and nodes at one time.
+  struct State {
+    std::vector<AdaptElement> elements;
+    std::vector<AdaptNode> nodes;
+    std::vector<TetId> free;
+  };
+  void save(State& state) const;
+  /// Undoes all changes since the state was saved.
+  void restore(const State& state);
+
+  [[nodiscard]] double lengthOf(NodeId a, NodeId b) const {
+    return metricLengthBetween(node(a), node(b));
+  }
   /// Mean ratio in the metric of the corner with the largest determinant, the least one if several may have it: 1 if regular,
   /// negative if not positively oriented.
   [[nodiscard]] double qualityOf(const NodeQuad& corners) const;

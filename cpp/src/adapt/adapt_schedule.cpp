@@ -280,6 +280,7 @@ Task<> AdaptSchedule::improve(Work& work) {
         work, badness_.floor() + (isNear_ || sweep < kStrictSweeps ? 0.0 : kAboveFloor));
     if (!staysInPlace_) co_await moveAll(work, MoveEffort::kSearch);
   }
+  co_await disturbPoor(work);
 }
 
 /// Returns the number of edges that were out of bounds.
@@ -353,6 +354,138 @@ bool AdaptSchedule::improveElement(TetId id) {
     isMoved = mover_.move(node, MoveEffort::kLong, random_) || isMoved;
   if (!isMoved) mesh_.element(id).tried = mesh_.now;
   return isMoved;
+}
+
+/// Changes at the edge of an element, whatever they cost.
+bool AdaptSchedule::disturb(std::size_t kind, NodeId a, NodeId b, TetId id) {
+  if (kind == 0) return operations_.split(a, b, id, Acceptance::kAny);
+  if (kind == 1) return operations_.collapse(a, b, id, Acceptance::kAny);
+  return operations_.removeEdge(a, b, id, Acceptance::kAny, random_);
+}
+
+/// Improves what has changed since a time, and what is around it.
+void AdaptSchedule::settle(std::uint32_t since) {
+  constexpr int kRounds = 4;
+  constexpr double kAboveFloor = 0.1;
+  const auto isNew = [&](NodeId node) { return mesh_.node(node).changed > since; };
+  for (int round = 0; round < kRounds; ++round) {
+    bool isChanged = false;
+    for (const TetId id : IdRange<TetId>(mesh_.elements.size())) {
+      const AdaptElement element = mesh_.element(id);
+      if (!element.isAlive() || std::ranges::none_of(element.nodes, isNew)) continue;
+      for (const TetEdge& e : kTetEdges) {
+        const NodeId a = element.nodes[e.from];
+        const NodeId b = element.nodes[e.to];
+        if (!isNew(a) && !isNew(b)) continue;
+        isChanged = improveEdge({mesh_.lengthOf(a, b), a, b, id}) || isChanged;
+        if (!mesh_.element(id).isAlive()) break;
+      }
+      const AdaptElement& at = mesh_.element(id);
+      if (at.isAlive() && at.quality < badness_.floor() + kAboveFloor && isWorthTrying(at))
+        isChanged = improveElement(id) || isChanged;
+    }
+    for (const NodeId id : IdRange<NodeId>(mesh_.nodes.size())) {
+      if (!mesh_.node(id).element.isNone() && isNew(id))
+        mover_.move(id, MoveEffort::kSearch, random_);
+    }
+    if (!isChanged) break;
+  }
+}
+
+/// Returns by how much the badness has fallen since a state.
+double AdaptSchedule::gainSince(const AdaptMesh::State& before) {
+  changes_.clear();
+  double gain = 0.0;
+  for (std::size_t i = 0; i < mesh_.elements.size(); ++i) {
+    const AdaptElement& now = mesh_.elements[i];
+    const AdaptElement* old = i < before.elements.size() ? &before.elements[i] : nullptr;
+    if (old != nullptr && old->nodes == now.nodes && old->quality == now.quality) continue;
+    if (old != nullptr && old->isAlive()) {
+      gain += badness_.ofElement(old->quality);
+      for (const TetEdge& e : kTetEdges) {
+        const NodeId a = old->nodes[e.from];
+        const NodeId b = old->nodes[e.to];
+        changes_(a, b).before =
+            metricLengthBetween(before.nodes[a.index()], before.nodes[b.index()]);
+      }
+    }
+    if (!now.isAlive()) continue;
+    gain -= badness_.ofElement(now.quality);
+    for (const TetEdge& e : kTetEdges)
+      changes_(now.nodes[e.from], now.nodes[e.to]).after =
+          mesh_.lengthOf(now.nodes[e.from], now.nodes[e.to]);
+  }
+  for (const auto& [low, high, length] : changes_.entries()) {
+    if (length.before > 0.0) gain += badness_.ofEdge(length.before);
+    if (length.after > 0.0) gain -= badness_.ofEdge(length.after);
+  }
+  return gain;
+}
+
+/// Improves what a disturbance has changed: lengths first, while elements may be poor.
+void AdaptSchedule::settleInSteps(std::uint32_t since) {
+  const double floor = badness_.floor();
+  badness_.setFloor(0.5 * floor);
+  settle(since);
+  badness_.setFloor(floor);
+  settle(since);
+}
+
+/// Disturbs the mesh at an edge of an element and improves what is around it. Keeps the change and saves the state if the badness
+/// has fallen; restores the state otherwise. Returns whether the mesh has changed.
+bool AdaptSchedule::disturbAndSettle(std::size_t kind, const TetEdge& edge, TetId id,
+                                     AdaptMesh::State& state) {
+  constexpr double kMinGain = 0.1;
+  const NodeQuad nodes = mesh_.element(id).nodes;
+  const std::uint32_t since = mesh_.now;
+  if (!disturb(kind, nodes[edge.from], nodes[edge.to], id)) return false;
+  settleInSteps(since);
+  const bool isBetter = gainSince(state) > kMinGain;
+  if (isBetter) {
+    mesh_.save(state);
+  } else {
+    mesh_.restore(state);
+  }
+  return isBetter;
+}
+
+/// Where no single change improves one of the last poor elements, tries changes that make it worse at first.
+Task<> AdaptSchedule::disturbPoor(Work& work) {
+  constexpr std::size_t kKinds = 3;
+  constexpr double kFarBelow = 0.9;
+  constexpr std::size_t kFew = 100;
+  constexpr int kRounds = 40;
+  // Each try copies and looks at all elements.
+  constexpr std::size_t kTries = 40;
+  constexpr std::size_t kCopied = 10'000'000;
+  AdaptMesh::State state;
+  mesh_.save(state);
+  std::size_t triesLeft =
+      std::min(kTries, kCopied / std::max<std::size_t>(1, mesh_.elements.size()));
+  std::vector<Poor> failed;
+  bool isChanged = true;
+  for (int round = 0; round < kRounds && isChanged; ++round) {
+    isChanged = false;
+    const std::vector<Poor> all = co_await poorElements(work, kFarBelow * badness_.floor());
+    if (all.size() > kFew) break;
+    for (const Poor& poor : all) {
+      const AdaptElement& element = mesh_.element(poor.element);
+      const bool isSame = element.isAlive() && element.quality == poor.quality;
+      const auto isIt = [&](const Poor& other) {
+        return other.element == poor.element && other.quality == poor.quality;
+      };
+      if (!isSame || std::ranges::any_of(failed, isIt)) continue;
+      bool isBetter = false;
+      for (std::size_t i = 0; i < kKinds * kTetEdges.size() && !isBetter; ++i) {
+        if (isStopped_ || triesLeft-- == 0) co_return;
+        isBetter = disturbAndSettle(i / kTetEdges.size(), kTetEdges[i % kTetEdges.size()],
+                                    poor.element, state);
+        co_await work.spend(mesh_.elements.size());
+      }
+      isChanged = isChanged || isBetter;
+      if (!isBetter) failed.push_back(poor);
+    }
+  }
 }
 
 }  // namespace tetrafront

@@ -32,6 +32,12 @@ class AdaptSchedule {
     std::uint32_t unused = 0;
   };
 
+  /// Metric lengths of an edge before and after a change; 0 if it is not there.
+  struct Change {
+    double before = 0.0;
+    double after = 0.0;
+  };
+
   Task<bool> hasNearlyUnitEdges(Work& work) const;
   Task<> approach(Work& work);
   Task<> improve(Work& work);
@@ -46,6 +52,12 @@ class AdaptSchedule {
   Task<> improveElements(Work& work, double limit);
   bool improveEdge(const AdaptEdge& edge);
   bool improveElement(TetId id);
+  Task<> disturbPoor(Work& work);
+  bool disturb(std::size_t kind, NodeId a, NodeId b, TetId id);
+  void settle(std::uint32_t since);
+  void settleInSteps(std::uint32_t since);
+  bool disturbAndSettle(std::size_t kind, const TetEdge& edge, TetId id, AdaptMesh::State& state);
+  [[nodiscard]] double gainSince(const AdaptMesh::State& before);
   [[nodiscard]] bool isWorthTrying(const AdaptElement& element) const;
   Task<std::vector<Poor>> poorElements(Work& work, double limit) const;
 
@@ -62,6 +74,7 @@ class AdaptSchedule {
   AdaptOperations operations_;
   NodeMover mover_;
   AdaptRandom random_;
+  EdgeMap<Change> changes_;
 };
 
 }  // namespace tetrafront

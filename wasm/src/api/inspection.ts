@@ -136,9 +136,9 @@ export function deviationWarnings(
   isGiven: boolean,
 ): Diagnostic[] {
   // What the digits of the message do not show is not worth one.
-  if (deviation <= tolerance * (isGiven ? GIVEN_EXCESS : AUTOMATIC_EXCESS)) return [];
-  const [found, asked] = [deviation, tolerance].map((length) => Number(length.toPrecision(DIGITS)));
   const isByDetails = mergedDetails.length > 0;
+  if (deviation <= tolerance * (isGiven || isByDetails ? GIVEN_EXCESS : AUTOMATIC_EXCESS)) return [];
+  const [found, asked] = [deviation, tolerance].map((length) => Number(length.toPrecision(DIGITS)));
   const cause = isByDetails ? ", because details were dropped" : "";
   const warning: DiagnosticOf<"deviation-above-tolerance"> = {
     code: "deviation-above-tolerance",
