@@ -176,6 +176,36 @@ TEST(AdaptModel, HasTheQualityOfTheMetricsAtItsOwnNodes) {
   }
 }
 
+/// The metrics ask for edges on the wall of a hole that are fifty times as long around it as along it.
+TEST(AdaptModel, FollowsALayerAcrossAHole) {
+  const TrimmedSolid solid = trimmedPlate(2.0, 1.0, 0.5);
+  const AdaptInput given = meshedSolid(solid);
+  double low = 1.0;
+  double high = -1.0;
+  for (std::size_t i = 2; i < given.points.size(); i += 3) {
+    low = std::min(low, given.points[i]);
+    high = std::max(high, given.points[i]);
+  }
+  const double middle = 0.5 * (low + high);
+  MeshAdaptation made;
+  made.points = given.points;
+  made.tetrahedra = given.tetrahedra;
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    MetricMesh background{made.points, made.tetrahedra, {}};
+    constexpr double kAround = 1.0 / (0.15 * 0.15);
+    for (std::size_t i = 0; i < made.points.size(); i += 3) {
+      const double thin = 0.003 + 0.3 * std::fabs(made.points[i + 2] - middle);
+      background.metrics.insert(background.metrics.end(),
+                                {kAround, 0.0, 0.0, kAround, 0.0, 1.0 / (thin * thin)});
+    }
+    made = adaptedOnModel(given, background);
+    ASSERT_TRUE(made.diagnostics.empty());
+  }
+  EXPECT_GT(made.after.unitEdges, 0.995);
+  EXPECT_GT(made.after.leastQuality, 0.45);
+  EXPECT_LT(farthestFromFaces(solid, made), 1e-9);
+}
+
 /// The triangles of the given mesh are further from the wall than its first layer is high.
 TEST(AdaptModel, HasLayersAlongACurvedFace) {
   constexpr double kRadius = 0.5;
