@@ -61,8 +61,8 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       expect(at.x + at.width <= box.x || at.y >= box.y + box.height).toBe(true);
 
       // The docked figure is the figure: its points are dragged there.
-      const height = await lesson.value("A", "height");
       const point = await lesson.middle(lesson.handle("A", "ideal-point"));
+      const height = await lesson.value("A", "height");
       await lesson.drag(point, [point[0], point[1] - 40]);
       await expect.poll(() => lesson.value("A", "height")).toBeGreaterThan(height);
       await isSound(lesson);
