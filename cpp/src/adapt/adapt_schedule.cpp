@@ -459,7 +459,6 @@ Task<> AdaptSchedule::disturbPoor(Work& work) {
   constexpr std::size_t kTries = 40;
   constexpr std::size_t kCopied = 10'000'000;
   AdaptMesh::State state;
-  mesh_.save(state);
   std::size_t triesLeft =
       std::min(kTries, kCopied / std::max<std::size_t>(1, mesh_.elements.size()));
   std::vector<Poor> failed;
@@ -467,7 +466,8 @@ Task<> AdaptSchedule::disturbPoor(Work& work) {
   for (int round = 0; round < kRounds && isChanged; ++round) {
     isChanged = false;
     const std::vector<Poor> all = co_await poorElements(work, kFarBelow * badness_.floor());
-    if (all.size() > kFew) break;
+    if (all.empty() || all.size() > kFew) break;
+    if (round == 0) mesh_.save(state);
     for (const Poor& poor : all) {
       const AdaptElement& element = mesh_.element(poor.element);
       const bool isSame = element.isAlive() && element.quality == poor.quality;
