@@ -435,12 +435,12 @@ void AdaptSchedule::settleInSteps(std::uint32_t since) {
 /// has fallen; restores the state otherwise. Returns whether the mesh has changed.
 bool AdaptSchedule::disturbAndSettle(std::size_t kind, const TetEdge& edge, TetId id,
                                      AdaptMesh::State& state) {
-  constexpr double kMinGain = 0.1;
+  constexpr double kLeastFall = 0.1;
   const NodeQuad nodes = mesh_.element(id).nodes;
   const std::uint32_t since = mesh_.now;
   if (!disturb(kind, nodes[edge.from], nodes[edge.to], id)) return false;
   settleInSteps(since);
-  const bool isBetter = gainSince(state) > kMinGain;
+  const bool isBetter = gainSince(state) > kLeastFall;
   if (isBetter) {
     mesh_.save(state);
   } else {
