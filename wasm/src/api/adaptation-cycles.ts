@@ -44,7 +44,11 @@ const cycleSchema = objectWith({
   resume: option(
     "state to resume",
     "the number of the last cycle and the mesh that it made",
-    v.object({ cycle: wholeWithin(1, MAX_CYCLES), mesh: v.looseObject({}) }),
+    v.object({
+      cycle: wholeWithin(1, MAX_CYCLES),
+      mesh: v.looseObject({}),
+      asked: v.optional(v.pipe(v.number(), v.finite(), v.minValue(1))),
+    }),
     undefined,
   ),
 });
@@ -84,17 +88,38 @@ export async function* adaptationCycles(
   const { elementData } = resume?.mesh ?? {};
   let mesh = resume === undefined ? first : { ...completeVolume(resume.mesh), elementData };
   let start: readonly FieldValues[] = resume === undefined ? [] : fieldsOf(mesh);
+  let { asked } = resume ?? {};
   for (let cycle = (resume?.cycle ?? 0) + 1; cycle <= cycles; cycle++) {
     throwIfCancelled(control.signal);
     const { signal } = control;
     const solved = await untilCancelled(() => solve(mesh, { cycle, start, signal }), signal);
     const progress = new WholeProgress(whole.next(1 / (cycles - cycle + 1)));
     const solution = checkedSolution(solved, mesh);
-    const made = await followed(mesher, { first, solution }, options, progress);
+    const corrected = { ...options, elements: correctedNumber(options.elements, mesh, asked) };
+    const made = await followed(mesher, { first, solution }, corrected, progress);
     yield { cycle, mesh, ...made };
+    asked = made.sizes.elements;
     mesh = made.next.mesh;
     start = made.transferred.fields;
   }
+}
+
+/** Largest factor, either way, by which a number of elements is corrected. */
+const MAX_CORRECTION = 2;
+
+/**
+ * Returns the number of elements to ask for so that a mesh has the wanted number. Where layers are thin, meshes have more than their
+ * sizes ask for: about as many more as the mesh before. `asked`: the number that the sizes of the given mesh have asked for.
+ */
+function correctedNumber(
+  wanted: number | undefined,
+  { tetrahedra }: Mesh,
+  asked: number | undefined,
+): number | undefined {
+  if (wanted === undefined || asked === undefined) return wanted;
+  // Rounded, as reports tell it.
+  const excess = tetrahedra.length / 4 / Math.max(1, Math.round(asked));
+  return Math.max(1, Math.round(wanted / Math.min(MAX_CORRECTION, Math.max(1 / MAX_CORRECTION, excess))));
 }
 
 /** Share of a cycle's work in the meshing of the model. */

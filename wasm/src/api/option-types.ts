@@ -257,9 +257,12 @@ export interface CycleOptions extends SolutionSizeOptions, AdaptOptions, Transfe
   readonly fields?: readonly string[] | undefined;
   /**
    * Last cycle that is done, and the mesh that it made, with fields as `nodeData`: the next cycle begins with it. The model is then
-   * the mesh of the first cycle, whose boundary all others follow.
+   * the mesh of the first cycle, whose boundary all others follow. `asked`: the number of elements that the sizes of that cycle have
+   * asked for (`sizes.elements`); what its mesh has in excess corrects the next number.
    */
-  readonly resume?: { readonly cycle: number; readonly mesh: Mesh } | undefined;
+  readonly resume?:
+    | { readonly cycle: number; readonly mesh: Mesh; readonly asked?: number | undefined }
+    | undefined;
 }
 
 /** Options of `coverProject`. The size is that of every node; by default 1/20 of the model's diagonal. */

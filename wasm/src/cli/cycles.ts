@@ -177,7 +177,8 @@ class CycleRun {
     const { length: done } = list.cycles;
     const lines = () => tableLines(list.cycles, chosen.indicator);
     if (!isQuiet) for (const line of lines()) print(line);
-    const options = done === 0 ? chosen : { ...chosen, resume: { cycle: done, mesh } };
+    const asked = list.cycles.at(-1)?.targetElements;
+    const options = done === 0 ? chosen : { ...chosen, resume: { cycle: done, mesh, asked } };
     const solve = (given: Mesh, { cycle }: SolveContext) => this.#solve(given, cycle, control.signal);
     try {
       let began = performance.now();
