@@ -36,6 +36,7 @@ export {
   type MeshWithBoundary,
 } from "./api/given-mesh.js";
 export { patchNames } from "./api/generated-mesh.js";
+export { correctedNumber } from "./api/corrected-number.js";
 export { estimatedErrors } from "./api/solution-error.js";
 export { inOrder } from "./api/second-order-mesh.js";
 export type { MeshShapes } from "./mesh/improvement.js";

@@ -1,6 +1,12 @@
 /** Solves a problem on the shown mesh and adapts the mesh to the solution, cycle by cycle: what the package offers, with a solver of the app. */
 import type { CycleOptions, MeshAdaptation, Mesher, MeshResult } from "tetrafront";
-import { dataOf, estimatedErrors, inspectedResult, meshWithBoundary } from "tetrafront/internal";
+import {
+  correctedNumber,
+  dataOf,
+  estimatedErrors,
+  inspectedResult,
+  meshWithBoundary,
+} from "tetrafront/internal";
 import { SolveClient } from "../solve/solve-client";
 import { solutionStrings as texts } from "../strings/solution";
 import { problemOf, type ProblemSetup } from "./problem-setup";
@@ -73,6 +79,8 @@ class Cycles {
   readonly #solver: Solver;
   readonly #began = performance.now();
   #solved: readonly SolvedMesh[] = [];
+  /** Number of elements that the last sizes have asked for. */
+  #asked: number | undefined;
   /** The last mesh that is solved, in the form in which it is shown. */
   #last: ShownMesh | null = null;
 
@@ -135,13 +143,15 @@ class Cycles {
   ): Promise<AdaptedMesh> {
     const { mesher, signal } = this.#control;
     const { norm } = this.#settings;
-    const elements = this.#elementsOf(cycle + 1, first.tetrahedra.length / 4);
+    const wanted = this.#elementsOf(cycle + 1, first.tetrahedra.length / 4);
+    const elements = correctedNumber(wanted, mesh, this.#asked);
     const sizes = await mesher.sizeFromSolution(
       mesh,
       [field],
       { elements, norm },
       this.#part(cycle, shares.solve, shares.sizes, texts.sizing),
     );
+    this.#asked = sizes.elements;
     const next = await mesher.adaptMesh(
       first,
       sizes.mesh,

@@ -17,6 +17,7 @@ import type { FieldValues } from "../mesh/solution.js";
 import type { Project } from "../project/project-types.js";
 import { checkControl, checkImproveInput } from "./input-checks.js";
 import { checkAdaptOptions } from "./mesh-options.js";
+import { correctedNumber } from "./corrected-number.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { CycleOptions } from "./option-types.js";
 import { checkAgainst, option, wholeWithin } from "./option-schema.js";
@@ -102,24 +103,6 @@ export async function* adaptationCycles(
     mesh = made.next.mesh;
     start = made.transferred.fields;
   }
-}
-
-/** Largest factor, either way, by which a number of elements is corrected. */
-const MAX_CORRECTION = 2;
-
-/**
- * Returns the number of elements to ask for so that a mesh has the wanted number. Where layers are thin, meshes have more than their
- * sizes ask for: about as many more as the mesh before. `asked`: the number that the sizes of the given mesh have asked for.
- */
-function correctedNumber(
-  wanted: number | undefined,
-  { tetrahedra }: Mesh,
-  asked: number | undefined,
-): number | undefined {
-  if (wanted === undefined || asked === undefined) return wanted;
-  // Rounded, as reports tell it.
-  const excess = tetrahedra.length / 4 / Math.max(1, Math.round(asked));
-  return Math.max(1, Math.round(wanted / Math.min(MAX_CORRECTION, Math.max(1 / MAX_CORRECTION, excess))));
 }
 
 /** Share of a cycle's work in the meshing of the model. */
