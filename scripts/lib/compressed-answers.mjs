@@ -99,14 +99,19 @@ async function compressFirstVisit(folder) {
 
 export function compressedAnswers() {
   let folder = "";
+  let isWritten = false;
   return {
     name: "tetrafront:compressed-answers",
     configResolved: ({ root, build: { outDir } }) => {
       folder = path.resolve(root, outDir);
     },
+    writeBundle: () => {
+      isWritten = true;
+    },
     closeBundle: {
       sequential: true,
-      handler: () => compressFirstVisit(folder),
+      // A build that failed tells its own error.
+      handler: () => (isWritten ? compressFirstVisit(folder) : undefined),
     },
     configurePreviewServer({ middlewares, config }) {
       middlewares.use(compressedFiles(folder, config.preview.headers));

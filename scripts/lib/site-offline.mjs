@@ -35,6 +35,7 @@ export function siteFiles(folder) {
 /** @param source the service worker in TypeScript. */
 export function offlineSite({ source }) {
   let folder = "";
+  let isWritten = false;
   return {
     name: "tetrafront:offline-site",
     apply: "build",
@@ -42,7 +43,12 @@ export function offlineSite({ source }) {
       folder = path.resolve(root, outDir);
     },
     // All files are written by now, those of the public folder too.
+    writeBundle() {
+      isWritten = true;
+    },
     async closeBundle() {
+      // A build that failed tells its own error.
+      if (!isWritten) return;
       const site = siteFiles(folder);
       const { outputFiles } = await build({
         entryPoints: [source],

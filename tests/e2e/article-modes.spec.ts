@@ -189,6 +189,7 @@ test("the keys of a clicker turn the slides", async ({ page }) => {
   await expect(page.locator("html")).not.toHaveAttribute("data-black");
   await keyboard.press("Escape");
   await expect(page.locator("html")).not.toHaveAttribute("data-slides");
+  await expect(page).not.toHaveURL(/slides/);
   await expect(page.locator(".stop").nth(3)).toBeInViewport();
   await page.getByRole("button", { name: "Slides" }).click();
   await expect(count).toHaveText(/\d+ \/ \d+/);

@@ -80,6 +80,10 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.drag(from, [from[0] - 40, from[1] - 10]);
       expect(await lesson.value("A", "triangles")).not.toBe(triangles);
       expect(await lesson.value("A", "touched")).toBe(1);
+      // A change of the shape is a state that the reader has made, but no place in the history.
+      expect(await lesson.value("A", "handled")).toBe(1);
+      expect(await lesson.value("A", "scrubbed")).toBe(0);
+      await lesson.isUndone();
       const corners = await lesson.value("A", "corners");
       const middle = await lesson.middle(lesson.handle("A", "middle-2"));
       await lesson.drag(middle, [middle[0], middle[1] - 14]);

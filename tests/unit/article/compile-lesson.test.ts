@@ -238,6 +238,16 @@ describe("a mistake is reported with its line and a remedy", () => {
       'lessons/9.md:11: The figure "front" has no option "sice". Use size, shape or caption.',
     ],
     [
+      "unknown tie",
+      "Text [word](goto:A step=0)",
+      'lessons/9.md:9: There is no tie "goto". Use drag, show, go, mark or open.',
+    ],
+    [
+      "number that is not the start of its range",
+      "Text [0.13](drag:A.size)",
+      'lessons/9.md:9: "0.13" is not the start of A.size. Write 0.12, or change the start in the figure.',
+    ],
+    [
       "missing option",
       "```figure front B\n```",
       'lessons/9.md:9: The option "size" is missing. Add a line such as "size: 0.5 in 0..1 by 0.01".',
@@ -332,6 +342,16 @@ describe("a mistake is reported with its line and a remedy", () => {
     expect(mistakes("", "Text\n\n")).toContain(
       'lessons/9.md:1: The title is missing. Begin the file with a line "# Title".',
     );
+  });
+
+  test("missing lead", () => {
+    expect(mistakes("", "# Title\n\n")).toEqual([
+      'lessons/9.md:1: The lesson has no lead. Write one or two sentences below the title, after "> ".',
+    ]);
+  });
+
+  test("one that is made twice in a line is told once", () => {
+    expect(mistakes("[1](show:B.x) [2](show:B.y)")).toEqual(["lessons/9.md:9: There is no figure B. Use A."]);
   });
 
   test("all mistakes at once", () => {

@@ -15,7 +15,7 @@ import {
   type WalkBlock,
 } from "./lesson-blocks.ts";
 import { LessonError, listOf, type LessonMistake } from "./lesson-error.ts";
-import { inlinesIn, makeMarkdown, type Branch, type Inline, type Tie } from "./lesson-markdown.ts";
+import { inlinesIn, makeMarkdown, tieKinds, type Branch, type Inline, type Tie } from "./lesson-markdown.ts";
 
 export interface LessonContext {
   readonly declarations: Declarations;
@@ -56,6 +56,8 @@ class Compiler {
 
   compile(): CompiledLesson {
     const { title, lead, blocks } = splitLesson(this.source, this.#note);
+    if (!lead)
+      this.#note(1, "The lesson has no lead.", 'Write one or two sentences below the title, after "> ".');
     for (const block of blocks) this.#plan(block);
     const html = [
       `<h1>${this.#inline(title)}</h1>`,
@@ -68,6 +70,8 @@ class Compiler {
   }
 
   readonly #note = (line: number, problem: string, remedy: string): void => {
+    const isKnown = this.#mistakes.some((each) => each.line === line && each.problem === problem);
+    if (isKnown) return;
     this.#mistakes.push({ file: this.file, line, problem, remedy });
   };
 
@@ -150,7 +154,8 @@ class Compiler {
       if (inline.type === "tie") this.#checkTie(inline, at);
       else if (inline.type === "formula") this.#checkFormula(inline.tex, at);
       else if (inline.type === "choice") this.#checkChoice(inline.branches, at);
-      else this.#checkLink(inline.address, at);
+      else if (inline.type === "link") this.#checkLink(inline.address, at);
+      else this.#note(at, `There is no tie "${inline.kind}".`, `Use ${listOf(tieKinds)}.`);
     }
   }
 
@@ -195,14 +200,22 @@ class Compiler {
     const figure = this.#figureOf(id, line);
     if (!figure) return;
     const { ranges } = figure.plan;
-    if (!Object.hasOwn(ranges, name))
+    const range = ranges[name];
+    if (!range)
       this.#note(
         line,
         `"${target}" cannot be dragged.`,
         `Use ${listOf(Object.keys(ranges).map((each) => `${id}.${each}`))}.`,
       );
-    if (!/^[-−]?[\d.]+/.test(label))
+    const [text] = /^[-−]?[\d.]+/.exec(label) ?? [];
+    if (text === undefined)
       this.#note(line, `"${label}" is no number.`, "Write a number, and its unit after it.");
+    else if (range && Number(text.replace("−", "-")) !== range.start)
+      this.#note(
+        line,
+        `"${label}" is not the start of ${target}.`,
+        `Write ${range.start}, or change the start in the figure.`,
+      );
   }
 
   #checkDestination(text: string, line: number): void {

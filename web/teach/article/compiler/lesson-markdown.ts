@@ -25,7 +25,9 @@ export type Inline =
   | ({ readonly type: "tie" } & Tie)
   | { readonly type: "formula"; readonly tex: string; readonly isDisplayed: boolean }
   | { readonly type: "choice"; readonly branches: readonly Branch[] }
-  | { readonly type: "link"; readonly address: string };
+  | { readonly type: "link"; readonly address: string }
+  /** What is written like a tie, of a kind that does not exist. */
+  | { readonly type: "unknown"; readonly kind: string };
 
 /** An inline part and its line in the text, from 0. */
 export interface PlacedInline {
@@ -33,7 +35,10 @@ export interface PlacedInline {
   readonly line: number;
 }
 
-const tiePattern = new RegExp(String.raw`^\[([^\]]+)\]\((${tieKinds.join("|")}):([^)]*)\)`);
+const tiePattern = /^\[([^\]]+)\]\(([a-z]+):([^)]*)\)/;
+/** What is before the colon in addresses of links. */
+const schemes: ReadonlySet<string> = new Set(["http", "https", "mailto"]);
+const isTieKind = (kind: string): kind is TieKind => (tieKinds as readonly string[]).includes(kind);
 
 const choicePattern = /^\[\[if\s([^]*?)\]\]/;
 
@@ -87,7 +92,10 @@ function inlinesOf(markdown: MarkdownIt, text: string, line: number): PlacedInli
 }
 
 function inlineOf(token: Token): Inline | null {
-  if (token.type === "tie") return { type: "tie", ...(token.meta as Tie) };
+  if (token.type === "tie") {
+    const { kind, label, target } = token.meta as Omit<Tie, "kind"> & { readonly kind: string };
+    return isTieKind(kind) ? { type: "tie", kind, label, target } : { type: "unknown", kind };
+  }
   if (token.type === "formula") return { type: "formula", tex: token.content, isDisplayed: token.block };
   if (token.type === "choice") return { type: "choice", branches: token.meta as readonly Branch[] };
   if (token.type === "link_open") return { type: "link", address: token.attrGet("href") ?? "" };
@@ -97,7 +105,8 @@ function inlineOf(token: Token): Inline | null {
 function readTie(state: StateInline, isSilent: boolean): boolean {
   const found = tiePattern.exec(state.src.slice(state.pos));
   if (!found) return false;
-  const [whole, label = "", kind, target = ""] = found;
+  const [whole, label = "", kind = "", target = ""] = found;
+  if (schemes.has(kind)) return false;
   if (!isSilent) {
     const token = state.push("tie", "", 0);
     token.meta = { kind, label, target: target.trim() };

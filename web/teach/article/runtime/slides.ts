@@ -102,6 +102,10 @@ export class Slides {
     this.#button.textContent = "Slides";
     this.#count.textContent = "";
     part?.scrollIntoView({ block: "center" });
+    // A page that is loaded again stays the article.
+    const address = new URL(location.href);
+    address.searchParams.delete("slides");
+    history.replaceState(history.state, "", address);
   }
 }
 

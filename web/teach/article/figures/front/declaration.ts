@@ -26,6 +26,7 @@ export const frontDeclaration: FigureDeclaration = {
     touched: "number",
     finished: "number",
     atrefusal: "number",
+    scrubbed: "number",
     handled: "number",
   },
   states: {

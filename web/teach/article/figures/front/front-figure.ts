@@ -50,6 +50,10 @@ export class FrontFigure implements Figure {
   /** The segment whose middle the reader drags, and the new corner. */
   #added: { readonly segment: number; readonly corner: number } | null = null;
   #isTouched = false;
+  /** Whether the reader has changed the shape or the size since the text led the figure. */
+  #isChanged = false;
+  /** Whether a word of the text sets the size at present. */
+  #isLed = false;
   #lit: string | null = null;
 
   async mount(host: HTMLElement, values: Values): Promise<void> {
@@ -61,7 +65,7 @@ export class FrontFigure implements Figure {
     let isFirst = true;
     effect(() => {
       values.number("size");
-      if (!isFirst) this.#isTouched = true;
+      if (!isFirst && !this.#isLed) this.#touch();
       isFirst = false;
       untracked(() => this.#fill());
     });
@@ -69,7 +73,10 @@ export class FrontFigure implements Figure {
   }
 
   go({ step, beat, size }: Readonly<Record<string, string>>): void {
+    this.#isChanged = false;
+    this.#isLed = true;
     if (size !== undefined) this.#values?.ask("size", Number(size));
+    this.#isLed = false;
     const film = this.#film;
     if (!film) return;
     const named: Readonly<Record<string, number>> = {
@@ -103,7 +110,7 @@ export class FrontFigure implements Figure {
       end: () => this.#settle(),
       remove: () => {
         if (!this.#polygon.remove(index)) return;
-        this.#isTouched = true;
+        this.#touch();
         this.#fill();
         this.#settle();
         this.#makeHandles();
@@ -148,8 +155,13 @@ export class FrontFigure implements Figure {
 
   #moveCorner(index: number, to: PlanePoint): void {
     this.#polygon.move(index, this.#view.inside(to, margin));
-    this.#isTouched = true;
+    this.#touch();
     this.#fill();
+  }
+
+  #touch(): void {
+    this.#isTouched = true;
+    this.#isChanged = true;
   }
 
   #settle(): void {
@@ -209,7 +221,8 @@ export class FrontFigure implements Figure {
       touched: this.#isTouched,
       finished: finished === film.stepCount,
       atrefusal: isAtRefusal,
-      handled: this.#player.isHandled,
+      scrubbed: this.#player.isHandled,
+      handled: this.#player.isHandled || this.#isChanged,
     });
     this.#showStatus(film);
     this.#stage.requestDraw();

@@ -1,6 +1,6 @@
 /** "Be the mesher": a front in the plane or in space that the reader advances until it closes or stalls, beside the program's mesh. */
 import type { Position } from "../../../../document/position";
-import { distance, dot, mean, unit } from "../../../../document/vectors";
+import { addScaled, distance, dot, mean, subtract, unit } from "../../../../document/vectors";
 import { button, digits, element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
 import { Motion } from "../../kit/motion";
@@ -379,6 +379,14 @@ export class MesherFigure implements Figure {
     ]);
   }
 
+  /** Pixels from the middle of the stage that hold a shape in space however it is turned, with its elements pulled apart. */
+  get #radius(): number {
+    const { target, axes } = this.#camera;
+    const pixels = this.#camera.pixel(addScaled(target, axes[0], 1))[0] - this.#stage.width / 2;
+    const reaches = (this.#level?.nodes ?? []).map((node) => Math.hypot(...subtract(node, target)));
+    return 1.15 * pixels * Math.max(...reaches, 1e-9);
+  }
+
   #pixel(position: Position): Pixel {
     if (this.#level?.dimension === 3) return this.#camera.pixel(position);
     return this.#view.pixel([position[0] * (this.#level?.stretching ?? 1), position[1]]);
@@ -395,13 +403,15 @@ export class MesherFigure implements Figure {
     const isSpace = this.#level?.dimension === 3;
     const view = this.#view;
     const { width, height } = this.#stage;
-    const isBeside = width >= smallStage || isSpace;
+    const isBeside = width >= smallStage;
     const stretching = this.#level?.stretching ?? 1;
     const whole = (position: Position): Pixel =>
       isSpace ? this.#camera.pixel(position) : view.pixel([position[0] * stretching, position[1]]);
     const [x0, y0, x1, y1] = view.window;
     const [across, along] = isBeside ? [width / 2, height - 40] : [width, height / 2 - 24];
-    const factor = isSpace ? 0.95 : Math.min(across / (x1 - x0), along / (y1 - y0)) / view.scale;
+    const factor = isSpace
+      ? Math.min(0.95, Math.min(across, along) / 2 / this.#radius)
+      : Math.min(across / (x1 - x0), along / (y1 - y0)) / view.scale;
     const centre: Pixel = isBeside
       ? [width * (half === 0 ? 0.25 : 0.75), height / 2]
       : [width / 2, height * (half === 0 ? 0.27 : 0.77)];
@@ -458,7 +468,7 @@ export class MesherFigure implements Figure {
     mine.drawRefused(board.refused, this.#lit === "refused");
     new MesherDrawing(this.#pen, theirs, boldness).drawMesh(program, [], this.#lit);
     const { width, height } = this.#stage;
-    const isBeside = width >= smallStage || own.eye !== null;
+    const isBeside = width >= smallStage;
     const places: readonly Pixel[] = isBeside
       ? [
           [width * 0.25, 14],
