@@ -1,14 +1,11 @@
 /** What is around a figure: the dock beside the text, a frame in a course page, and slides. */
 import { expect, test, type Page } from "@playwright/test";
 import { ArticlePage } from "./article-page";
-import { isSound, settings, withReducedMotion } from "./article-settings";
+import { isSound, settings } from "./article-settings";
 
 const lessons = [1, 2, 4, 6, 7, 10, 11];
 
-for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries({
-  ...settings,
-  ...withReducedMotion,
-})) {
+for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries(settings)) {
   test.describe(name, () => {
     test.use({ viewport, colorScheme, hasTouch, contextOptions: { reducedMotion } });
 

@@ -1,12 +1,9 @@
 /** Lesson 8 as an article: its tasks by real drags, fingers and keys, in three settings. */
 import { expect, test } from "@playwright/test";
 import { ArticlePage, type Pixel } from "./article-page";
-import { isSound, settings, withReducedMotion } from "./article-settings";
+import { isSound, settings } from "./article-settings";
 
-for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries({
-  ...settings,
-  ...withReducedMotion,
-})) {
+for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries(settings)) {
   test.describe(name, () => {
     test.use({ viewport, colorScheme, hasTouch, contextOptions: { reducedMotion } });
 

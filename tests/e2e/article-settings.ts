@@ -16,10 +16,6 @@ export const settings = {
     reducedMotion: "no-preference",
     hasTouch: true,
   },
-} as const;
-
-/** Every page opens in it; what is around a figure is tried in it. */
-export const withReducedMotion = {
   "reduced motion": {
     viewport: { width: 1440, height: 900 },
     colorScheme: "dark",

@@ -1,4 +1,4 @@
-/** Lesson 2 as an article: every task by real drags, fingers and keys, in two settings. */
+/** Lesson 2 as an article: every task by real drags, fingers and keys, in three settings. */
 import { expect, test } from "@playwright/test";
 import { ArticlePage } from "./article-page";
 import { isSound, settings } from "./article-settings";

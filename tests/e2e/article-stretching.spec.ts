@@ -1,4 +1,4 @@
-/** Lesson 9 as an article: its tasks by real drags, fingers and keys, in two settings. */
+/** Lesson 9 as an article: its tasks by real drags, fingers and keys, in three settings. */
 import { expect, test } from "@playwright/test";
 import { ArticlePage, type Pixel } from "./article-page";
 import { isSound, settings } from "./article-settings";

@@ -1,7 +1,7 @@
-/** The lessons as articles: every task by real drags, fingers and keys, in two settings. */
+/** The lessons as articles: every task by real drags, fingers and keys, in three settings. */
 import { expect, test } from "@playwright/test";
 import { ArticlePage, type Pixel } from "./article-page";
-import { isSound, part, settings, withReducedMotion } from "./article-settings";
+import { isSound, part, settings } from "./article-settings";
 import { recordRefusals } from "./policy";
 
 /** Compressed bytes of what a page fetches before the reader does anything. */
@@ -192,7 +192,7 @@ async function moveBeyondLongSide(lesson: ArticlePage): Promise<void> {
 }
 
 test.describe("with reduced motion", () => {
-  const { viewport, colorScheme, reducedMotion } = withReducedMotion["reduced motion"];
+  const { viewport, colorScheme, reducedMotion } = settings["reduced motion"];
   test.use({ viewport, colorScheme, contextOptions: { reducedMotion } });
 
   for (const page of [0, 1, 2, 3, 4, 5, 6, 7, 9, 10, 11, "mesher"])
