@@ -16,6 +16,8 @@ export interface LinearSystem {
 /** Largest residual, relative to the residual of the start with zeros in place of the unknowns. */
 const tolerance = 1e-9;
 const maxIterations = 20_000;
+/** Cosine of the angle between residual and shadow below which BiCGStab makes no progress, and begins anew from where it is. */
+const breakdown = 1e-8;
 
 /** Solves a symmetric positive system. Replaces `x`, the start, by the solution; returns the number of steps. */
 export function conjugateGradients(system: LinearSystem, x: Float64Array): number {
@@ -50,7 +52,7 @@ export function stabilizedBiconjugateGradients(system: LinearSystem, x: Float64A
   const scale = inverseDiagonal(system);
   const limit = tolerance * referenceNorm(system, x);
   if (limit === 0) return clearFree(system, x);
-  const r = residual(system, x);
+  let r = residual(system, x);
   const shadow = r.slice();
   const p = r.slice();
   const [v, t, q, s] = [0, 1, 2, 3].map(() => new Float64Array(x.length)) as [
@@ -75,6 +77,13 @@ export function stabilizedBiconjugateGradients(system: LinearSystem, x: Float64A
     addTo(x, omega, s);
     subtractFree(r, omega, t, isGiven);
     const next = dot(shadow, r);
+    if (Math.abs(next) <= breakdown * norm(shadow) * norm(r)) {
+      r = residual(system, x);
+      shadow.set(r);
+      p.set(r);
+      rho = dot(r, r);
+      continue;
+    }
     const beta = (next / rho) * (alpha / omega);
     rho = next;
     if (!Number.isFinite(beta)) break;

@@ -61,8 +61,8 @@ describe("the sweeps over the cube", () => {
     ]);
     const removed: Record<string, number> = {};
     let back = 0;
-    film.sizes.slice(1).forEach((poor, i) => {
-      const fewer = (film.sizes[i] ?? 0) - poor;
+    film.sizes.slice(1).forEach((_, i) => {
+      const fewer = film.measuresAt(i).outOfRange - film.measuresAt(i + 1).outOfRange;
       const kind = film.sweepOf(i + 1)?.kind ?? "";
       if (fewer > 0) removed[kind] = (removed[kind] ?? 0) + fewer;
       else back -= fewer;
