@@ -159,10 +159,12 @@ function toggleMesh(page) {
   return page.getByRole("switch", { name: "Mesh", exact: true }).press("Space");
 }
 
-async function download(page, item) {
+async function download(page, format) {
   await page.getByTestId("download").click();
+  const dialog = page.getByRole("dialog", { name: "Export mesh" });
+  await dialog.getByRole("radio", { name: format }).check();
   const downloading = page.waitForEvent("download", { timeout: WAIT_MS });
-  await page.getByRole("menuitem", { name: item }).click();
+  await dialog.getByRole("button", { name: "Export", exact: true }).click();
   await (await downloading).path();
 }
 
