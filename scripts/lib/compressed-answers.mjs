@@ -110,7 +110,7 @@ export function compressedAnswers() {
     },
     closeBundle: {
       sequential: true,
-      // A build that failed tells its own error.
+      // A failed build has no files, and prints its own error.
       handler: () => (isWritten ? compressFirstVisit(folder) : undefined),
     },
     configurePreviewServer({ middlewares, config }) {

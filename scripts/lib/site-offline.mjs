@@ -47,7 +47,7 @@ export function offlineSite({ source }) {
       isWritten = true;
     },
     async closeBundle() {
-      // A build that failed tells its own error.
+      // A failed build has no files, and prints its own error.
       if (!isWritten) return;
       const site = siteFiles(folder);
       const { outputFiles } = await build({

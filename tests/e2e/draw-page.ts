@@ -4,8 +4,7 @@ import { parseVtu } from "../support/mesh-files";
 import { readProject } from "tetrafront/project";
 import { countActions, expectActions, forgetActions } from "./actions";
 import { AppPage, type Position } from "./app-page";
-import { downloaded } from "./downloads";
-import { downloadMesh } from "./downloads";
+import { downloaded, downloadMesh } from "./downloads";
 
 /** The view of a new project, drawn in with the pointer and the keyboard alone. */
 export class DrawPage extends AppPage {

@@ -16,7 +16,7 @@ export interface LinearSystem {
 /** Largest residual, relative to the residual of the start with zeros in place of the unknowns. */
 const tolerance = 1e-9;
 const maxIterations = 20_000;
-/** Cosine of the angle between residual and shadow below which BiCGStab makes no progress, and begins anew from where it is. */
+/** Cosine of the angle between residual and shadow below which BiCGStab stagnates, and is restarted. */
 const breakdown = 1e-8;
 
 /** Solves a symmetric positive system. Replaces `x`, the start, by the solution; returns the number of steps. */

@@ -149,6 +149,7 @@ class AdaptMesh {
   /// Undoes all changes since the state was saved.
   void restore(const State& state);
 
+  /// Metric length of an edge.
   [[nodiscard]] double lengthOf(NodeId a, NodeId b) const {
     return metricLengthBetween(node(a), node(b));
   }

@@ -356,7 +356,7 @@ bool AdaptSchedule::improveElement(TetId id) {
   return isMoved;
 }
 
-/// Changes at the edge of an element, whatever they cost.
+/// Changes the mesh at the edge of an element, whatever it costs: splits (0), collapses (1) or removes it (2).
 bool AdaptSchedule::disturb(std::size_t kind, NodeId a, NodeId b, TetId id) {
   if (kind == 0) return operations_.split(a, b, id, Acceptance::kAny);
   if (kind == 1) return operations_.collapse(a, b, id, Acceptance::kAny);
@@ -451,9 +451,9 @@ bool AdaptSchedule::disturbAndSettle(std::size_t kind, const TetEdge& edge, TetI
 
 /// Where no single change improves one of the last poor elements, tries changes that make it worse at first.
 Task<> AdaptSchedule::disturbPoor(Work& work) {
-  constexpr std::size_t kKinds = 3;
-  constexpr double kFarBelow = 0.9;
-  constexpr std::size_t kFew = 100;
+  constexpr std::size_t kKinds = 3;  // of disturbances
+  constexpr double kFarBelow = 0.9;  // quality / floor
+  constexpr std::size_t kFew = 100;  // elements; more of them have a common cause
   constexpr int kRounds = 40;
   // Each try copies and looks at all elements.
   constexpr std::size_t kTries = 40;

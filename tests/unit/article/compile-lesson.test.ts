@@ -350,7 +350,7 @@ describe("a mistake is reported with its line and a remedy", () => {
     ]);
   });
 
-  test("one that is made twice in a line is told once", () => {
+  test("one that stands twice in a line is reported once", () => {
     expect(mistakes("[1](show:B.x) [2](show:B.y)")).toEqual(["lessons/9.md:9: There is no figure B. Use A."]);
   });
 

@@ -14,7 +14,7 @@ export function correctedNumber(
   asked: number | undefined,
 ): number | undefined {
   if (wanted === undefined || asked === undefined) return wanted;
-  // Rounded, as reports tell it.
+  // Rounded as in reports, so that a resumed run computes the same.
   const excess = tetrahedra.length / 4 / Math.max(1, Math.round(asked));
   return Math.max(1, Math.round(wanted / Math.min(MAX_CORRECTION, Math.max(1 / MAX_CORRECTION, excess))));
 }

@@ -4,7 +4,7 @@ import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { sentence } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceRemesh } from "../mesh/inspection.js";
 
-/** Change of the volume / volume of the given surface that is told. */
+/** Change of the volume / volume of the given surface above which it is reported. */
 const CHANGED = 0.01;
 
 /** Number of significant digits of volumes. */
@@ -12,7 +12,7 @@ const DIGITS = 3;
 
 /**
  * Returns a warning if the volume of a surface changed much: within the tolerance, thin walls may lose most of theirs. If all nodes
- * are on the true faces of a solid, the shape is right, and a note tells what flat triangles leave out.
+ * are on the true faces of a solid, the shape is right, and a note says how much of it flat triangles leave out.
  */
 export function volumeWarnings({
   givenVolume: before,

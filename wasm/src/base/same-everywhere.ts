@@ -3,7 +3,7 @@
  * the last bits of `Math.sin`, `Math.exp`, `Math.log` and `**` to the engine; those of Node and of browsers differ often.
  */
 
-/** Rounds a value of which few digits matter, so that it no longer depends on the last bits of what it was computed from. */
+/** Rounds a value that need not be exact to single precision, so that the last bits of its operands have no effect. */
 export const steady = (value: number): number => Math.fround(value);
 
 /** A quarter turn as a sum: products of the first part with whole numbers below 2^20 are exact. */
