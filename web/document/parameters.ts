@@ -68,7 +68,6 @@ export function addParameter(name: string, expression: string): ProjectEdit {
 export function setParameter(name: string, expression: string): ProjectEdit {
   return {
     label: stepNames.setParameter(name),
-    mergeKey: `parameter-${name}`,
     change: ({ project }) => {
       const parameter = project.parameters?.find((one) => one.name === name);
       if (parameter) parameter.expression = withoutSpaces(expression);

@@ -384,6 +384,7 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
  */
 const TESTED_ELSEWHERE = [
   // Their callers have checked what they pass.
+  "correctedNumber",
   "bodyBox",
   "estimatedErrors",
   "featureSolid",

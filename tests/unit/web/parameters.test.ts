@@ -122,6 +122,16 @@ describe("parameters", () => {
     expect(xNow()).toBe(1);
   });
 
+  it("are a step of undo for each text that was entered, however fast", () => {
+    const { documents, moveTo, xNow } = opened();
+    documents.edit(addParameter("r", "0.3"));
+    moveTo(0.6, "2*r");
+    documents.edit(setParameter("r", "0.5"));
+    documents.edit(setParameter("r", "0.7"));
+    documents.undo();
+    expect(xNow()).toBe(1);
+  });
+
   it("change through other parameters, and keep their values and expressions when renamed or removed", () => {
     const { documents, moveTo, xNow } = opened();
     documents.edit(addParameter("d", "-4"));
