@@ -10,6 +10,7 @@
 #include <map>
 #include <vector>
 
+#include "metric/mesh_metric.h"
 #include "support/mesh_validator.h"
 #include "support/slices.h"
 #include "support/tet_grids.h"
@@ -102,6 +103,22 @@ TEST(MeshAdaptation, FollowsALayerAcrossACube) {
   std::uint32_t counted = 0;
   for (const std::uint32_t count : made.after.lengths) counted += count;
   EXPECT_EQ(counted, made.after.edges);
+}
+
+/// Unit edges alone would be kept by meshes with a third more elements.
+TEST(MeshAdaptation, HasAboutAsManyElementsAsTheMetricAsksFor) {
+  for (const double thin : {0.02, 0.1}) {
+    const MetricMesh background = layer(thin, 0.2);
+    VolumeMesh grid;
+    grid.points = background.points;
+    grid.tetrahedra = background.tetrahedra;
+    const double wanted = kElementsPerComplexity * complexityOf(grid, background.metrics);
+    const MeshAdaptation made = adapted(cubeInput(6), background);
+    expectValid(made);
+    EXPECT_NEAR(made.after.tetrahedra / wanted, 1.0, 0.05) << thin;
+    EXPECT_GT(made.after.unitEdges, 0.99) << thin;
+    EXPECT_GT(made.after.peakedEdges, 0.75) << thin;
+  }
 }
 
 TEST(MeshAdaptation, KeepsThePatchesOfACube) {

@@ -97,14 +97,15 @@ TEST(SolutionIndicatorTest, AConstantIndicatorScalesTheSizesOfTheMesh) {
     SolutionMetricOptions options = indicatedBy(0);
     options.error = 3.0;
     const SolutionMetric own = sizedBy(mesh, fields, options);
-    EXPECT_NEAR(own.elements / static_cast<double>(elements), 1.0, 1e-12);
+    // The densities are those of the elements around each node, and their logarithms are linear between the nodes.
+    EXPECT_NEAR(own.elements / static_cast<double>(elements), 1.0, 0.01);
     options.error = 0.75;
     const SolutionMetric half = sizedBy(mesh, fields, options);
     for (std::size_t i = 0; i < mesh.points.size() / 3; ++i)
       ASSERT_NEAR(sizeAt(own, i) / sizeAt(half, i), 2.0, 1e-12);
     options.error = 0.0;
     options.elements = 8.0 * static_cast<double>(elements);
-    EXPECT_NEAR(sizedBy(mesh, fields, options).errors[0], 0.75, 1e-3);
+    EXPECT_NEAR(sizedBy(mesh, fields, options).errors[0], 0.75, 0.01);
   }
 }
 

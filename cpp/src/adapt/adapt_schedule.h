@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "adapt/adapt_operations.h"
+#include "adapt/disturbance.h"
 #include "adapt/edge_list.h"
+#include "adapt/element_number.h"
+#include "adapt/local_improvement.h"
 #include "adapt/node_mover.h"
 #include "base/task.h"
 
@@ -25,19 +28,6 @@ class AdaptSchedule {
   Task<> run(Work& work);
 
  private:
-  /// Elements from the poorest on.
-  struct Poor {
-    double quality;
-    TetId element;
-    std::uint32_t unused = 0;
-  };
-
-  /// Metric lengths of an edge before and after a change; 0 if it is not there.
-  struct Change {
-    double before = 0.0;
-    double after = 0.0;
-  };
-
   Task<bool> hasNearlyUnitEdges(Work& work) const;
   Task<> approach(Work& work);
   Task<> improve(Work& work);
@@ -48,18 +38,9 @@ class AdaptSchedule {
   Task<std::size_t> swapPoor(Work& work, double limit);
   Task<> moveAll(Work& work, MoveEffort effort);
   void raiseFloor();
+  Task<bool> thin(Work& work);
   Task<std::size_t> improveEdges(Work& work);
   Task<> improveElements(Work& work, double limit);
-  bool improveEdge(const AdaptEdge& edge);
-  bool improveElement(TetId id);
-  Task<> disturbPoor(Work& work);
-  bool disturb(std::size_t kind, NodeId a, NodeId b, TetId id);
-  void settle(std::uint32_t since);
-  void settleInSteps(std::uint32_t since);
-  bool disturbAndSettle(std::size_t kind, const TetEdge& edge, TetId id, AdaptMesh::State& state);
-  [[nodiscard]] double gainSince(const AdaptMesh::State& before);
-  [[nodiscard]] bool isWorthTrying(const AdaptElement& element) const;
-  Task<std::vector<Poor>> poorElements(Work& work, double limit) const;
 
   AdaptMesh& mesh_;
   MetricBackground& background_;
@@ -67,14 +48,11 @@ class AdaptSchedule {
   double goal_;  ///< the floor that is asked for
   std::uint32_t sweeps_;
   bool isNear_ = false;  ///< the mesh is adapted except in some places
-  /// Neither moves a node nor adds one: the metrics of the nodes stay those that are given.
-  bool staysInPlace_ = false;
   const bool& isStopped_;
   AdaptContext context_;
-  AdaptOperations operations_;
-  NodeMover mover_;
-  AdaptRandom random_;
-  EdgeMap<Change> changes_;
+  LocalImprovement improvement_;
+  ElementNumber number_;
+  Disturbance disturbance_;
 };
 
 }  // namespace tetrafront

@@ -29,6 +29,9 @@ class Badness {
     soft_ = std::max(kSoft, floor + 0.05);
   }
 
+  /// Sets the cost of each element, whatever its quality.
+  void setPerElement(double cost) { perElement_ = cost; }
+
   /// Cost of an edge by its metric length > 0. Up to 0.35 doublings from 1 it is free; at the bounds it jumps to about 1.
   [[nodiscard]] double ofEdge(double length) const {
     const double relative = length * aim_;
@@ -41,7 +44,7 @@ class Badness {
   /// Cost of an element by its quality.
   [[nodiscard]] double ofElement(double quality) const {
     if (quality <= 0.0) return kForbidden;
-    double cost = 0.0;
+    double cost = perElement_;
     if (quality < soft_) {
       const double lack = (soft_ - quality) / soft_;
       cost += lack * lack;
@@ -75,12 +78,13 @@ class Badness {
   static constexpr double kBelowBound = 0.15;
   static constexpr double kBelowFloor = 30.0;
   static constexpr double kDoublingsPerTanh = 5.7707801635558536;
-  static constexpr double kEdgePull = 0.03;
+  static constexpr double kEdgePull = 0.2;
   static constexpr double kElementPull = 0.02;
 
   double floor_;
   double soft_;
   double aim_;
+  double perElement_ = 0.0;
 };
 
 }  // namespace tetrafront

@@ -7,6 +7,7 @@
 
 #include "base/ids.h"
 #include "base/sort.h"
+#include "geom/exponential.h"
 #include "geom/measure.h"
 #include "metric/metric.h"
 #include "topology/mesh_access.h"
@@ -24,6 +25,34 @@ constexpr int kGrowthSweeps = 100;
 
 double volumeOf(const std::array<Vec3, 4>& p) {
   return glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6.0;
+}
+
+/// Returns the divided difference of the exponential at ascending arguments, one to four.
+double dividedExponential(std::span<const double> arguments) {
+  constexpr double kNear = 1.0;
+  constexpr std::size_t kTerms = 12;
+  const double range = arguments.back() - arguments.front();
+  if (range > kNear) {
+    return (dividedExponential(arguments.subspan(1)) -
+            dividedExponential(arguments.first(arguments.size() - 1))) /
+           range;
+  }
+  // The Taylor series about the mean: sum of h_k / (n + k)! with the complete homogeneous symmetric polynomials h_k.
+  double mean = 0.0;
+  for (const double argument : arguments) mean += argument / static_cast<double>(arguments.size());
+  std::array<double, kTerms> polynomials{1.0};
+  for (const double argument : arguments) {
+    for (std::size_t k = 1; k < kTerms; ++k)
+      polynomials[k] += (argument - mean) * polynomials[k - 1];
+  }
+  double factorial = 1.0;
+  for (std::size_t k = 2; k < arguments.size(); ++k) factorial *= static_cast<double>(k);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < kTerms; ++k) {
+    sum += polynomials[k] / factorial;
+    factorial *= static_cast<double>(arguments.size() + k);
+  }
+  return exponential(mean) * sum;
 }
 
 /// Limits the metrics at the ends of edges by each other.
@@ -117,15 +146,24 @@ Task<std::vector<double>> impliedMetrics(Work& work, const VolumeMesh& mesh) {
   co_return sums;
 }
 
+double complexityWithin(const std::array<Vec3, 4>& corners,
+                        const std::array<double, 4>& densities) {
+  std::array<double, 4> logarithms{};
+  std::ranges::transform(densities, logarithms.begin(), logarithm);
+  std::ranges::sort(logarithms);
+  // The mean of a function of a linear function over a simplex (Hermite and Genocchi).
+  return 6.0 * dividedExponential(logarithms) * std::fabs(volumeOf(corners));
+}
+
 double complexityOf(const VolumeMesh& mesh, std::span<const double> metrics) {
   std::vector<double> densities(countNodes(mesh));
   for (std::size_t i = 0; i < densities.size(); ++i) densities[i] = densityOf(tensorAt(metrics, i));
   double sum = 0.0;
   for (std::uint32_t t = 0; t < countTetrahedra(mesh); ++t) {
-    const auto [a, b, c, d] = nodesOf(mesh, TetId(t));
-    const double four = (densities[a.index()] + densities[b.index()]) +
-                        (densities[c.index()] + densities[d.index()]);
-    sum += 0.25 * four * std::fabs(volumeOf(cornersOf(mesh, TetId(t))));
+    std::array<double, 4> own{};
+    std::ranges::transform(nodesOf(mesh, TetId(t)), own.begin(),
+                           [&](NodeId node) { return densities[node.index()]; });
+    sum += complexityWithin(cornersOf(mesh, TetId(t)), own);
   }
   return sum;
 }

@@ -22,8 +22,17 @@ namespace tetrafront {
 /// without an element of positive volume get the zero tensor.
 Task<std::vector<double>> impliedMetrics(Work& work, const VolumeMesh& mesh);
 
-/// Returns the integral of sqrt(det M) over the mesh: each node counts with a quarter of the volume of its elements.
-/// `metrics` must be positive definite.
+/// Elements of a mesh / complexity of the metric that it follows. A mesh of regular tetrahedra with edges of length 1
+/// would have 8.5, but they do not fill space. Adapted meshes of mmg 5.8 have 10.4, 10.7 and 11.1 in three cases of the
+/// Unstructured Grid Adaptation Working Group, and 15.7 in the fourth, where a curved boundary is finer than its metric.
+inline constexpr double kElementsPerComplexity = 10.0;
+
+/// Returns the integral of sqrt(det M) over a tetrahedron, from its values at the corners, > 0: between them, the logarithms of
+/// metrics are linear, so its own logarithm is linear, too.
+[[nodiscard]] double complexityWithin(const std::array<Vec3, 4>& corners,
+                                      const std::array<double, 4>& densities);
+
+/// Returns the integral of sqrt(det M) over the mesh, the complexity of the metric. `metrics` must be positive definite.
 [[nodiscard]] double complexityOf(const VolumeMesh& mesh, std::span<const double> metrics);
 
 /// The edges of a mesh, each once, with the lower node first, ascending.

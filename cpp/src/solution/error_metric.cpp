@@ -112,7 +112,10 @@ FieldMetric fieldMetric(const VolumeMesh& mesh, std::span<const double> hessians
     putTensor(field.hessians, i, hessian);
     putTensor(field.metrics, i, hessian.scaledBy(factor));
   }
-  field.complexity = complexityOf(mesh, field.metrics);
+  // As the norms of errors, so that an error that is asked for is the one that is expected.
+  forEachShare(mesh, [&](std::size_t node, double share) {
+    field.complexity += share * densityOf(tensorAt(field.metrics, node));
+  });
   return field;
 }
 

@@ -19,17 +19,13 @@
 
 namespace tetrafront {
 
-/// Elements of a mesh / complexity of the metric that it follows. A mesh of regular tetrahedra with edges of length 1
-/// would have 8.5, but they do not fill space. Adapted meshes of mmg 5.8 have 10.4, 10.7 and 11.1 in three cases of the
-/// Unstructured Grid Adaptation Working Group, and 15.7 in the fourth, where a curved boundary is finer than its metric.
-inline constexpr double kElementsPerComplexity = 10.0;
-
 /// The optimal metric of one field.
 struct FieldMetric {
   std::vector<double> hessians;  ///< six numbers per node: |H|, positive definite
   std::vector<double> metrics;   ///< six numbers per node, for K = 1
-  double complexity = 0.0;       ///< of `metrics`
-  bool hasVariation = false;     ///< false: the Hessians are rounding, and `metrics` are 1
+  double complexity =
+      0.0;  ///< of `metrics`, each constant over a quarter of the elements around its node
+  bool hasVariation = false;  ///< false: the Hessians are rounding, and `metrics` are 1
 };
 
 /// Returns the metric of a field with the given Hessians, `components` times six numbers per node as from
