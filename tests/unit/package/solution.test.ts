@@ -91,7 +91,7 @@ describe("sizeFromSolution", () => {
   });
 
   test("asks for the number of elements, and the front makes about as many", async () => {
-    const mesh = unitCube(10);
+    const mesh = unitCube(14);
     const sizes = await mesher.sizeFromSolution(mesh, [scalar(mesh, layer)], { elements: 6000 });
     expect(Math.abs(sizes.elements / 6000 - 1)).toBeLessThan(0.05);
     expect([...sizes.mesh.nodeData.keys()]).toEqual([
