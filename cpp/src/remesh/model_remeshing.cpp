@@ -37,9 +37,12 @@ constexpr double kReducedShare = 0.5;
 /// The same at a cusp.
 constexpr double kCuspShare = 0.9;
 /// Triangulations of the faces, with sizes reduced in between. Each gets rid of most triangles that are too far away.
-constexpr int kRefinements = 4;
+constexpr int kRefinements = 6;
 /// Share of the area too far away that a triangulation may leave, or no other follows.
 constexpr double kLessArea = 0.75;
+/// Share of the whole area below which only single triangles are farther than a tolerance that is given: another triangulation may
+/// have none, or others.
+constexpr double kSingleArea = 0.002;
 /// Largest deviation from the given triangles / tolerance: they are as far from the faces as the CAD kernel has allowed.
 constexpr double kMaxFacesDeviation = 2.0;
 /// Largest distance of nodes of the given surface from the edges of the model on which they are / tolerance.
@@ -317,15 +320,17 @@ void measureBeside(const Remeshing& remeshing, RemeshPass& pass) {
 }
 
 /// Adds smaller sizes where triangles are farther from the given ones than the tolerance: large ones on faces that the given
-/// triangles show too roughly for their curvature. Returns their area.
+/// triangles show too roughly for their curvature. Returns their share of the area.
 double addSizesWhereFar(const RemeshPass& pass, const SizeField& field,
                         const RemeshLengths& lengths, PlacedSizes& placed) {
+  double whole = 0.0;
   double area = 0.0;
   FieldHint hint;
   for (const TriangleId t : IdRange<TriangleId>(pass.beneath.size())) {
+    const TriangleCorners corners = cornersOf(pass.surface.mesh, t);
+    whole += areaOf(corners);
     const double deviation = pass.remesh.triangleDeviation[t.index()];
     if (deviation < lengths.testedTolerance) continue;
-    const TriangleCorners corners = cornersOf(pass.surface.mesh, t);
     const Vec3 centroid = centroidOf(corners);
     // At a cusp, where shorter edges have smaller angles, an edge is as long as the tolerance allows.
     const bool isAtCusp = placed.targets->leastAt(centroid) > 0.0;
@@ -340,7 +345,7 @@ double addSizesWhereFar(const RemeshPass& pass, const SizeField& field,
     // The deviation grows with the square of the length.
     placed.sizes.push_back(size * std::sqrt(share * tolerance / deviation));
   }
-  return area;
+  return area / whole;
 }
 
 /// Returns true if the triangles are a valid boundary.
@@ -415,6 +420,7 @@ Task<ModelRemesh> remeshModel(Work& work, const Remeshing& remeshing) {
   if (!placed) co_return none;
   ModelRemesh made;
   double far = 0.0;
+  const double single = remeshing.options.tolerance > 0.0 ? kSingleArea : 0.0;
   for (int round = 0; round < kRefinements; ++round) {
     work.beginPart(0.5);
     const SizeField field = co_await fieldOf(work, *placed, remeshing);
@@ -425,7 +431,7 @@ Task<ModelRemesh> remeshModel(Work& work, const Remeshing& remeshing) {
     const double before =
         std::exchange(far, addSizesWhereFar(*made.pass, field, remeshing.lengths, *placed));
     // Where the given triangles are far from the faces, smaller ones are no nearer to them.
-    if (far == 0.0 || (round > 0 && far > kLessArea * before)) break;
+    if (far == 0.0 || (round > 0 && far > std::max(kLessArea * before, single))) break;
     work.leaveRest();
   }
   if (made.pass->remesh.deviation > kMaxFacesDeviation * remeshing.lengths.tolerance)
