@@ -3,7 +3,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 
-import { createMesher, type Mesher, type SurfaceInput } from "tetrafront";
+import { createMesher, readMesh, type Mesh, type Mesher, type SurfaceInput } from "tetrafront";
 import { type Project, readProject, writeProject } from "tetrafront/project";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
@@ -27,6 +27,7 @@ import {
 } from "../../support/surfaces.js";
 
 const meshModel = nativeProgram("mesh_model");
+const adaptMesh = nativeProgram("adapt_mesh");
 let mesher: Mesher;
 beforeAll(async () => {
   mesher = await createMesher();
@@ -153,4 +154,57 @@ test.each<[string, Project, number]>([
   const { report } = await mesher.meshProject({ ...project, meshing: { size } });
   expect(report.status).toBe("done");
   expect(nativeModelFingerprint(project, size)).toBe(report.fingerprint);
+});
+
+/** Returns the text of a Medit file of a mesh, with digits that read back the same. */
+function meditText({ points, triangles, tetrahedra }: Mesh): string {
+  const rows = (values: ArrayLike<number>, perRow: number, first: number): string =>
+    Array.from({ length: values.length / perRow }, (_, row) =>
+      Array.from({ length: perRow }, (_, k) => (values[perRow * row + k] ?? 0) + first).join(" "),
+    )
+      .map((row) => `${row} 0\n`)
+      .join("");
+  return [
+    `MeshVersionFormatted 2\nDimension 3\nVertices\n${points.length / 3}\n${rows(points, 3, 0)}`,
+    `Triangles\n${triangles.length / 3}\n${rows(triangles, 3, 1)}`,
+    `Tetrahedra\n${tetrahedra.length / 4}\n${rows(tetrahedra, 4, 1)}End\n`,
+  ].join("");
+}
+
+/** Metrics of a layer across x = 0.4: xx xy xz yy yz zz per node. */
+function layerMetrics(points: Float64Array): Float64Array {
+  const metrics = new Float64Array(2 * points.length);
+  for (let node = 0; node < points.length / 3; node++) {
+    const across = 0.02 + 0.2 * Math.abs((points[3 * node] ?? 0) - 0.4);
+    metrics.set([1 / across ** 2, 0, 0, 25, 0, 25], 6 * node);
+  }
+  return metrics;
+}
+
+test("an adaptation makes the same mesh natively and in WebAssembly", async () => {
+  const { mesh } = await mesher.fillSurface(boxSurface(6));
+  const metrics = layerMetrics(mesh.points);
+  const sized: Mesh = { ...mesh, nodeData: new Map([["metric", { components: 6, values: metrics }]]) };
+  const made = await mesher.adaptMesh(mesh, sized);
+  const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+  try {
+    const fileNames = ["given.mesh", "metric.sol", "made.mesh"].map((name) => path.join(folder, name));
+    const [given = "", metric = "", out = ""] = fileNames;
+    writeFileSync(given, meditText(mesh));
+    // Medit's order is that of the lower triangle: xx xy yy xz yz zz.
+    const lines = Array.from({ length: mesh.points.length / 3 }, (_, node) => {
+      const [xx = 0, , , yy = 0, , zz = 0] = metrics.subarray(6 * node);
+      return `${xx} 0 ${yy} 0 0 ${zz}\n`;
+    });
+    const head = `MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n${lines.length}\n1 3\n`;
+    writeFileSync(metric, `${head}${lines.join("")}End\n`);
+    execFileSync(adaptMesh, [given, given, metric, out]);
+    const read = await readMesh(readFileSync(out), { fileName: "made.mesh" });
+    if (!read.success) throw new Error(read.errors[0].message);
+    expect(made.mesh.tetrahedra.length).toBeGreaterThan(4 * 2000);
+    expect(read.value.points).toEqual(made.mesh.points);
+    expect(read.value.tetrahedra).toEqual(made.mesh.tetrahedra);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
 });
