@@ -81,7 +81,8 @@ async function keep(file: SiteFile): Promise<void> {
   const isHashed = file.sha256 === undefined;
   const known = isHashed ? await keptByAny(address) : undefined;
   // Files without a hash in their names may be old in the browser's own cache.
-  const answer = known ?? (await fetch(address, { cache: isHashed ? "default" : "no-cache", priority: "low" }));
+  const answer =
+    known ?? (await fetch(address, { cache: isHashed ? "default" : "no-cache", priority: "low" }));
   if (!answer.ok) throw new Error(`${address}: ${answer.status}`);
   if (!(await isOwn(file, answer.clone()))) throw new Error(`${address} is of another version`);
   await cache.put(address, direct(answer));

@@ -70,7 +70,10 @@ test("after one visit, all pages work without a network, and CAD files once the 
   await expect(articles.getByTestId("figure-A")).toHaveAttribute("data-ready", "true");
 });
 
-test("a lesson that was opened first keeps all lessons, after its figure is there", async ({ page, context }) => {
+test("a lesson that was opened first keeps all lessons, after its figure is there", async ({
+  page,
+  context,
+}) => {
   // What is kept must not delay the figure.
   await page.addInitScript(() => {
     if (!("serviceWorker" in navigator)) return;
