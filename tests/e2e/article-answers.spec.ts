@@ -14,8 +14,9 @@ type Press = readonly [target: string, key?: string, times?: number];
 /** By lesson and task; of a task without numbers of figures in its answer, nothing is needed. */
 const solutions: Readonly<Record<string, Readonly<Record<number, readonly Press[]>>>> = {
   0: {
-    1: [["A.even", "PageUp"]],
-    2: [["A:wide", "ArrowLeft"]],
+    1: [["A.even", "PageUp", 6]],
+    // The stress is computed in the next frame, so the presses are counted.
+    2: [["A:wide", "ArrowLeft", 9]],
     4: [
       ["B:spot", "ArrowLeft", 26],
       ["B:spot", "ArrowDown", 5],
@@ -163,3 +164,13 @@ function placeOf(lesson: ArticlePage, target: string): Locator {
   if (mark === ":") return lesson.handle(letter, name);
   return lesson.figure(letter).getByRole("slider", { name });
 }
+
+test("the game: the smallest angle of the program's boot is the one in the answer", async ({ page }) => {
+  const lesson = new ArticlePage(page, false);
+  await lesson.open("mesher");
+  await lesson.see("A");
+  const written = await lesson.task(2).locator('.because [data-show="A.programangle"]').textContent();
+  await lesson.figure("A").getByRole("button", { name: "A boot" }).click();
+  await expect.poll(() => lesson.value("A", "stage")).toBe(2);
+  expect((await lesson.value("A", "programangle")).toFixed(0)).toBe(written);
+});
