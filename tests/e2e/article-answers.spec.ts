@@ -116,7 +116,7 @@ const answerOf = (lesson: ArticlePage, task: number): Promise<string> =>
     .evaluate((answer) => {
       const copy = answer.cloneNode(true) as HTMLElement;
       for (const other of copy.querySelectorAll("[data-if][hidden]")) other.remove();
-      return (copy.textContent ?? "").replaceAll(/\s+/g, " ");
+      return copy.textContent.replaceAll(/\s+/g, " ");
     });
 
 async function solve(lesson: ArticlePage, task: number, presses: readonly Press[]): Promise<void> {

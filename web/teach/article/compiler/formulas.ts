@@ -108,7 +108,7 @@ export function spoken(tex: string): string {
     .replaceAll(/''/g, " double prime ");
   // From the inside out: an argument has no braces once those in it are spoken.
   const argument = String.raw`\s*(?:\{([^{}]*)\}|(\w))`;
-  const rules: readonly (readonly [RegExp, (...parts: string[]) => string])[] = [
+  const rules: readonly (readonly [RegExp, (...parts: (string | undefined)[]) => string])[] = [
     [/\\(?:mathbf|mathrm|mathsf|text)(?:\{([^{}]*)\}|\s+(\w))/g, (_whole, a, b) => ` ${a ?? b} `],
     [new RegExp(String.raw`\\sqrt${argument}`, "g"), (_whole, a, b) => ` square root of ( ${a ?? b} ) `],
     [
