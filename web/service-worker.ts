@@ -1,6 +1,6 @@
 /**
- * The service worker of the built site, sw.js: after one visit, the site works without a network. The build replaces SITE by the
- * list of its files (scripts/lib/site-offline.mjs).
+ * The service worker of the built site, sw.js: after one visit of the app or of a lesson, the site works without a network. The
+ * build replaces SITE by the list of its files (scripts/lib/site-offline.mjs).
  *
  * Each version of the site has a cache of its own, and a page gets all its files from one version. A new version is fetched in
  * the background, and waits until a page asks for it. Files of an older version stay for the pages that still show it.
@@ -42,8 +42,8 @@ const scope = globalThis as unknown as Scope;
 /** All sites of a host share its caches. The path of a site has no blank. */
 const prefix = `tetrafront ${new URL(scope.registration.scope).pathname} `;
 const cacheName = `${prefix}${SITE.version}`;
-/** Files that are fetched at the same time. */
-const atOnce = 6;
+/** Files that are fetched at the same time: browsers keep six connections to a host, and the page needs some of them. */
+const atOnce = 4;
 /** The headers of an answer may name others that differ between pages and this worker. */
 const anyRequest = { ignoreVary: true } as const;
 
@@ -81,7 +81,8 @@ async function keep(file: SiteFile): Promise<void> {
   const isHashed = file.sha256 === undefined;
   const known = isHashed ? await keptByAny(address) : undefined;
   // Files without a hash in their names may be old in the browser's own cache.
-  const answer = known ?? (await fetch(address, { cache: isHashed ? "default" : "no-cache" }));
+  const answer =
+    known ?? (await fetch(address, { cache: isHashed ? "default" : "no-cache", priority: "low" }));
   if (!answer.ok) throw new Error(`${address}: ${answer.status}`);
   if (!(await isOwn(file, answer.clone()))) throw new Error(`${address} is of another version`);
   await cache.put(address, direct(answer));

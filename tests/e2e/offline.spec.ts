@@ -7,6 +7,7 @@ import { fileURLToPath } from "node:url";
 import { expect, test, type BrowserContext, type Page } from "@playwright/test";
 import { drilledSolid, stepFile } from "../support/step-files";
 import { AppPage } from "./app-page";
+import { ArticlePage } from "./article-page";
 import { dropBytes } from "./drop-bytes";
 
 const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]);
@@ -67,6 +68,60 @@ test("after one visit, all pages work without a network, and CAD files once the 
 
   await articles.getByRole("link", { name: /How a front fills a shape/ }).click();
   await expect(articles.getByTestId("figure-A")).toHaveAttribute("data-ready", "true");
+});
+
+test("a lesson that was opened first keeps all lessons, after its figure is there", async ({
+  page,
+  context,
+}) => {
+  // What is kept must not delay the figure.
+  await page.addInitScript(() => {
+    if (!("serviceWorker" in navigator)) return;
+    const { serviceWorker } = navigator;
+    const register = serviceWorker.register.bind(serviceWorker);
+    serviceWorker.register = (...args) => {
+      const { ready } = document.querySelector<HTMLElement>("[data-figure]")?.dataset ?? {};
+      document.documentElement.dataset["registered"] = `figure ${ready === "true" ? "ready" : "missing"}`;
+      return register(...args);
+    };
+  });
+  await page.goto("./lessons/4/");
+  const root = page.locator("html");
+  await expect(root).toHaveAttribute("data-registered", "figure ready");
+  await expect.poll(() => page.evaluate(() => navigator.serviceWorker.controller?.state)).toBe("activated");
+  await context.setOffline(true);
+
+  const lesson = new ArticlePage(page, false);
+  await page.reload();
+  await lesson.see("A");
+  const number = page.getByTestId("number-size").first();
+  await number.focus();
+  const height = await lesson.value("A", "height");
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(() => lesson.value("A", "height")).toBeGreaterThan(height);
+
+  // One that has not been opened: its figure runs the engine.
+  await page.getByRole("link", { name: "Lessons", exact: true }).click();
+  await page.getByRole("link", { name: /How a front fills a shape/ }).click();
+  await lesson.see("A");
+  const triangles = await lesson.value("A", "triangles");
+  expect(triangles).toBeGreaterThan(20);
+  await number.focus();
+  await page.keyboard.press("End");
+  await expect.poll(() => lesson.value("A", "triangles")).toBeLessThan(triangles);
+  // And one whose figure plays a recorded front.
+  await lesson.see("B");
+  expect(await lesson.value("B", "elements")).toBeGreaterThan(100);
+  expect(lesson.errors).toEqual([]);
+});
+
+test("a figure alone in a course page keeps nothing", async ({ page }) => {
+  await page.goto("./lessons/4/?figure=A");
+  await expect(page.getByTestId("figure-A")).toHaveAttribute("data-ready", "true");
+  // Longer than a lesson waits for before it keeps the site.
+  await page.waitForTimeout(4000);
+  expect(await page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length)).toBe(0);
+  expect(await page.evaluate(() => caches.keys())).toEqual([]);
 });
 
 test("without a network and the library for CAD files, a sentence says how to get it", async ({

@@ -1,5 +1,5 @@
 import { commandLabels, paletteStrings } from "../strings";
-import { canWorkOffline } from "../session/offline";
+import { canWorkOffline } from "../session/service-worker";
 import { define, type Command } from "./command";
 import { keepOffline } from "./offline-actions";
 

@@ -1,6 +1,7 @@
 /** The page's part of offline use: registers the service worker (web/service-worker.ts), and offers its updates. */
 
 import { offlineStrings as texts } from "../strings/passing";
+import { canWorkOffline, registerWorker } from "./service-worker";
 
 /** What a page does when a version of the site is ready that it does not show. */
 export type OnUpdate = (reload: () => void) => void;
@@ -8,17 +9,11 @@ export type OnUpdate = (reload: () => void) => void;
 /** Time between two searches for a new version, in milliseconds. */
 const updateMs = 3_600_000;
 
-/** The development server has no service worker. Without a secure address, browsers have none. */
-export const canWorkOffline = (): boolean => import.meta.env.PROD && "serviceWorker" in navigator;
-
-const register = (): Promise<ServiceWorkerRegistration> =>
-  navigator.serviceWorker.register(new URL("./sw.js", document.baseURI));
-
 /** Registers the service worker. `onUpdate` is called when a new version is there; it waits until the page loads it. */
 export async function workOffline(onUpdate: OnUpdate): Promise<void> {
   if (!canWorkOffline()) return;
   const { serviceWorker } = navigator;
-  const registration = await register();
+  const registration = await registerWorker();
   const offer = (worker: ServiceWorker): void => onUpdate(() => replaceBy(worker));
   const follow = (worker: ServiceWorker | null): void => {
     worker?.addEventListener("statechange", () => {
@@ -70,7 +65,7 @@ export async function keepEverything(): Promise<Kept> {
     timer = setTimeout(fail, keepMinutes * 60_000);
   });
   try {
-    return await Promise.race([register().then(activeWorker).then(askToKeep), late]);
+    return await Promise.race([registerWorker().then(activeWorker).then(askToKeep), late]);
   } catch (error) {
     return { kind: "failed", reason: error instanceof Error ? error.message : String(error) };
   } finally {

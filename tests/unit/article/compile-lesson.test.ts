@@ -1,6 +1,7 @@
 /** The compiler of lessons: what it makes of the short syntax, and every mistake that it reports. */
 import { describe, expect, test } from "vitest";
 import { compileLesson, type LessonContext } from "../../../web/teach/article/compiler/compile-lesson";
+import { spoken } from "../../../web/teach/article/compiler/formulas";
 import { LessonError } from "../../../web/teach/article/compiler/lesson-error";
 import type { FigureDeclaration } from "../../../web/teach/article/declaration";
 
@@ -66,9 +67,27 @@ describe("a lesson is compiled", () => {
     );
     expect(html).toContain('<output class="live" data-show="A.triangles">71</output>');
     expect(html).toMatch(/data-show="A\.size"><span class="mord">0\.12<\/span>/);
-    expect(html).toContain('aria-label="square root of {A.size}"');
+    expect(html).toContain('aria-label="square root of ({A.size})"');
     expect(html).not.toContain("style=");
     expect(css).toMatch(/^\.f0\{/);
+  });
+
+  test("with formulas that are spoken in words", () => {
+    expect(
+      [
+        "\\sqrt{h^2-\\live{A.size}{0.12}^2}",
+        "\\tfrac12\\left(1+\\frac s{\\mathrm{size}}\\right)",
+        "\\alpha^4=1-\\alpha^{1}-x_f",
+        "\\mathbf{a}^{\\mathsf{T}}\\cdot\\mathrm{height}\\\\[4pt]\\xi''",
+        "\\begin{pmatrix}\\live{A.xx}{1}&0\\\\\\live{A.xy}{2}&\\lambda\\end{pmatrix}",
+      ].map(spoken),
+    ).toEqual([
+      "square root of (h squared - {A.size} squared)",
+      "fraction 1 over 2, (1+ fraction s over size, )",
+      "alpha 4 =1- alpha 1 -x f",
+      "a transposed times height; xi double prime",
+      "the matrix with the rows {A.xx}, 0; {A.xy}, lambda",
+    ]);
   });
 
   test("with punctuation kept beside formulas", () => {

@@ -10,6 +10,7 @@ import {
 } from "../../../web/teach/article/figures/front/front-film";
 import { Polygon } from "../../../web/teach/article/figures/front/polygon";
 import { shapes } from "../../../web/teach/article/figures/front/shapes";
+import { storedPlanes, successOf } from "../../support/planes";
 
 let engine: PlaneFront;
 beforeAll(async () => {
@@ -23,6 +24,21 @@ function film(shape: string, size: number): FrontFilm {
   if (!filled.success) throw new Error(filled.message);
   return filmOf(filled);
 }
+
+/** The native engine makes the same triangles of the stored planes (tests/cpp/surface_plane_fill_test.cpp). */
+const stored = storedPlanes().filter(({ name }) => /^lesson-(?!wing)/.test(name));
+
+test("each shape is stored, at the smallest, the first and the largest size", () => {
+  expect(stored.map(({ name }) => name)).toEqual(
+    Object.keys(shapes).flatMap((shape) => [0.06, 0.12, 0.26].map((size) => `lesson-${shape}-${size}`)),
+  );
+});
+
+test.each(stored)("the figure has the triangles of $name", ({ name, fingerprint }) => {
+  const [, shape = "", size = ""] = name.split("-");
+  const filled = successOf(engine.fill([shapes[shape] ?? []], Number(size), { improve: false }));
+  expect(filled.fingerprint).toBe(fingerprint);
+});
 
 const areaOf = (points: readonly Point[]): number =>
   points.reduce((sum, [x, y], i) => {

@@ -4,6 +4,7 @@ import { loadPlaneFront } from "tetrafront/trace";
 import { describe, expect, test } from "vitest";
 import { filmOf, smallestAngle } from "../../../web/teach/article/figures/front/front-film";
 import {
+  centre,
   channel,
   fillChannel,
   onWing,
@@ -13,8 +14,14 @@ import {
   type Order,
   type Wing,
 } from "../../../web/teach/article/figures/race/race-rules";
+import { storedPlanes, successOf } from "../../support/planes";
 
 const front = await loadPlaneFront();
+
+test.each(orders)("%s has the triangles of the native engine", (order) => {
+  const { fingerprint } = successOf(fillChannel(front, { at: centre, angle: 12 }, 0.6, order));
+  expect(fingerprint).toBe(storedPlanes().find(({ name }) => name === `lesson-wing-${order}`)?.fingerprint);
+});
 
 function refusals(wing: Wing, growth: number): Record<Order, number> {
   const counted = orders.map((order) => [order, fillBy(order, wing, growth, false).refusedCount]);

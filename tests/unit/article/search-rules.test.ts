@@ -224,7 +224,7 @@ describe("in space", () => {
 
   test("a hollow without nodes costs the grid more than four times the visits of the octree", () => {
     const structures = spaceStructuresOf(makeSpaceFront(8).nodes);
-    const query = { at: [0.06, 0, -0.04] as const, radius: 0.2 };
+    const query = { at: [0.06, 0, -0.04] as const, radius: 0.155 };
     const [list, octree, grid] = spaceStructureNames.map((name) => structures[name].find(query));
     expect(list?.found).toEqual([]);
     const text = readFileSync("web/lessons/8.md", "utf8");

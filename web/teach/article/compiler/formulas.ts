@@ -74,20 +74,65 @@ export class FormulaSheet {
   }
 }
 
+/** Commands without arguments that are spoken by other words than their names. */
+const words: Readonly<Record<string, string>> = {
+  sum: "sum of",
+  int: "integral of",
+  cdot: "times",
+  max: "maximum of",
+  dots: "…",
+  le: "≤",
+  prime: "prime",
+};
+/** Commands that only say how something is set. */
+const silent = /\\(?:left|right|bigl|bigr|Bigl|Bigr|q?quad|displaystyle)(?![a-z])|(?<!\\)\\[,;!: ]/gi;
+const power = (exponent: string): string =>
+  ({ "2": "squared", "3": "cubed", "-1": "inverse", T: "transposed" })[exponent] ??
+  `to the power of ${exponent}`;
+
 /** Returns a formula for a reader who hears it. The page replaces `{B.h}` by the value. */
-function spoken(tex: string): string {
-  return tex
-    .replace(livePattern, " \u0001$1\u0002 ")
-    .replaceAll(/\\(?:begin|end)\{[^}]*\}|\\\\(?:\[[^\]]*\])?|\\[,;!]|\\q?quad|&/g, " ")
-    .replaceAll(/\\(?:mathbf|mathrm|text)\{([^}]*)\}/g, "$1")
-    .replaceAll(/\\sqrt/g, "square root of ")
-    .replaceAll(/\\frac/g, "fraction ")
-    .replaceAll(/\\le\b/g, "≤")
-    .replaceAll(/\\([a-z]+)/gi, "$1")
+export function spoken(tex: string): string {
+  let text = tex
+    .replaceAll(livePattern, " \u0001$1\u0002 ")
+    .replaceAll(silent, " ")
+    .replaceAll(
+      /\\begin\{pmatrix\}([^]*?)\\end\{pmatrix\}/g,
+      (_whole, rows: string) =>
+        ` the matrix with the rows ${rows
+          .split("\\\\")
+          .map((row) => row.replaceAll("&", ","))
+          .join("; ")} `,
+    )
+    .replaceAll(/\\\\(?:\[[^\]]*\])?/g, "; ")
+    .replaceAll(/\\(?:begin|end)\{[^}]*\}|&/g, " ")
+    .replaceAll(/''/g, " double prime ");
+  // From the inside out: an argument has no braces once those in it are spoken.
+  const argument = String.raw`\s*(?:\{([^{}]*)\}|(\w))`;
+  const rules: readonly (readonly [RegExp, (...parts: (string | undefined)[]) => string])[] = [
+    [/\\(?:mathbf|mathrm|mathsf|text)(?:\{([^{}]*)\}|\s+(\w))/g, (_whole, a, b) => ` ${a ?? b} `],
+    [new RegExp(String.raw`\\sqrt${argument}`, "g"), (_whole, a, b) => ` square root of ( ${a ?? b} ) `],
+    [
+      new RegExp(String.raw`\\[td]?frac${argument}${argument}`, "g"),
+      (_whole, a, b, c, d) => ` fraction ${a ?? b} over ${c ?? d}, `,
+    ],
+    // Upper indices of the coordinates, as in the paper.
+    [/\\alpha\^(?:\{(\w+)\}|(\w))/g, (_whole, a, b) => ` alpha ${a ?? b} `],
+    [/\^(?:\{([^{}]*)\}|(\w))/g, (_whole, a, b) => ` ${power((a ?? b ?? "").trim())} `],
+    [/_(?:\{([^{}]*)\}|(\w))/g, (_whole, a, b) => ` ${a ?? b} `],
+  ];
+  for (let before = ""; before !== text;) {
+    before = text;
+    for (const [pattern, speak] of rules) text = text.replaceAll(pattern, speak);
+  }
+  return text
+    .replaceAll(/\\([a-z]+)/gi, (_whole, name: string) => ` ${words[name] ?? name} `)
     .replaceAll(/[{}]/g, " ")
     .replaceAll("\u0001", "{")
     .replaceAll("\u0002", "}")
     .replaceAll(/\s+/g, " ")
+    .replaceAll(/ (?=[,;)])|(?<=\() /g, "")
+    .replaceAll(/[,;](?=\S)/g, "$& ")
+    .replace(/,$/, "")
     .trim();
 }
 

@@ -22,7 +22,7 @@ const themeScript = `
 /** Returns a page. `root` leads from it to the root of the site. */
 function page(title: string, description: string, root: string, css: string, body: string): string {
   return `<!doctype html>
-<html lang="en">
+<html lang="en" data-root="${root}">
   <head>
     <meta charset="utf-8" />
     <meta name="viewport" content="width=device-width, initial-scale=1" />

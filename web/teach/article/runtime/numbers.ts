@@ -83,17 +83,23 @@ export function tieShownValues(figures: PageFigures): void {
   }
   for (const formula of document.querySelectorAll<HTMLElement>(".formula[aria-label*='{']")) {
     const template = formula.getAttribute("aria-label") ?? "";
+    const shown = new Map(
+      [...formula.querySelectorAll<HTMLElement>("[data-show]")].map((node) => [
+        node.dataset["show"] ?? "",
+        { text: node.textContent, places: placesOf(node.textContent) },
+      ]),
+    );
     const label = (textOf: (target: string) => string): void =>
       formula.setAttribute(
         "aria-label",
         template.replaceAll(/\{([A-Z]\.\w+)\}/g, (_whole, target: string) => textOf(target)),
       );
-    label((target) => formula.querySelector(`[data-show="${target}"]`)?.textContent ?? "");
+    label((target) => shown.get(target)?.text ?? "");
     follow(formula, () =>
       label((target) => {
         const { figure, name } = tiedTo(figures, target);
         const value = figure.values.get(name);
-        return typeof value === "number" ? digits(value, 2) : (value ?? "");
+        return typeof value === "number" ? digits(value, shown.get(target)?.places ?? 2) : (value ?? "");
       }),
     );
   }

@@ -33,6 +33,11 @@ export class PageFigure {
     return this.#loading;
   }
 
+  /** Resolves when the figure is there, or could not be loaded; at once if it is not near yet. */
+  async begun(): Promise<void> {
+    await this.#loading?.catch(() => undefined);
+  }
+
   /** Leads to a state; of several calls while the figure loads, only the last counts. */
   async go(entries: Readonly<Record<string, string>>): Promise<void> {
     const call = ++this.#wanted;

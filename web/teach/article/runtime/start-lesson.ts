@@ -15,6 +15,7 @@ import "../styles/modes.css";
 import type { Value } from "../kit/values";
 import { Dock } from "./dock";
 import { tieChoices, tieDraggedNumbers, tieShownValues } from "./numbers";
+import { keepOffline } from "./offline";
 import { PageFigure } from "./page-figure";
 import { showSingle, singleFigure } from "./single";
 import { Slides } from "./slides";
@@ -43,6 +44,8 @@ const single = singleFigure(figures);
 if (single === null) {
   startWalks(figures);
   if (figures.size > 0) new Slides(figures);
+  // Not for a figure in a course page, whose readers have not come to this site.
+  void keepOffline(figures);
 } else showSingle(figures, single, tasks);
 
 declare global {

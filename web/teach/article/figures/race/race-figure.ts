@@ -8,7 +8,7 @@ import type { PlanePoint } from "../../kit/plane-view";
 import type { Values } from "../../kit/values";
 import { filmOf } from "../front/front-film";
 import { RacePanel, type PanelOwner } from "./race-panel";
-import { fillChannel, orders, withinChannel, type Wing } from "./race-rules";
+import { centre, fillChannel, orders, withinChannel, type Wing } from "./race-rules";
 import { Timeline } from "./timeline";
 
 const runs = [
@@ -17,7 +17,6 @@ const runs = [
   { name: "random", title: "At random", dash: [2, 3] },
   { name: "layered", title: "Layer by layer", dash: [9, 3, 2, 3] },
 ] as const;
-const centre: PlanePoint = [0.72, 0.48];
 const shares: Readonly<Record<string, number>> = { start: 0, third: 0.35, end: 1 };
 
 export class RaceFigure implements Figure, PanelOwner {

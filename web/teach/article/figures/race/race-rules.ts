@@ -7,6 +7,8 @@ export type Order = (typeof orders)[number];
 
 /** The channel goes from (0, 0) to these coordinates. */
 export const channel: PlanePoint = [1.6, 0.9];
+/** Where the wing is in the beginning. */
+export const centre: PlanePoint = [0.72, 0.48];
 const chord = 0.3;
 /** Sizes at the wing, and far from it. */
 const [fine, coarse] = [0.03, 0.3] as const;
