@@ -76,7 +76,7 @@ export class AppPage {
    * Opens an empty project in the app of an earlier test. Returns whether there is such an app. `reset` takes back choices that
    * belong to no document, in a window of the usual size.
    */
-  async openEmptyAgain(reset: () => Promise<void> = async () => undefined): Promise<boolean> {
+  async openEmptyAgain(reset: () => Promise<void> = () => Promise.resolve()): Promise<boolean> {
     if (!isLoaded(this.page)) return false;
     const size = this.page.viewportSize();
     await this.#empty();
