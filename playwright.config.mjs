@@ -24,6 +24,8 @@ export default defineConfig({
   retries: 1,
   reporter: [["list"]],
   use: {
+    // By default, a click waits for its element until the test ends, and nothing says for which.
+    actionTimeout: 30_000 * slow,
     baseURL: `http://127.0.0.1:${port}/`,
     browserName: "chromium",
     viewport: { width: 1440, height: 900 },

@@ -8,6 +8,7 @@ import { thirdPartyNotices } from "../scripts/lib/site-notices.mjs";
 import { offlineSite } from "../scripts/lib/site-offline.mjs";
 import { contentSecurityPolicy } from "../scripts/lib/site-policy.mjs";
 import { preloadedApp } from "../scripts/lib/site-preload.mjs";
+import { smallerThree } from "../scripts/lib/site-three.mjs";
 import { lessonTraces } from "../scripts/lib/site-traces.mjs";
 import { lessonEntries, lessonSite } from "./teach/article/compiler/lesson-site.ts";
 
@@ -58,6 +59,7 @@ export default defineConfig({
     withoutNodeModules(),
     withoutSchemaText(),
     embindWithoutText(),
+    smallerThree(),
     preloadedApp(),
     contentSecurityPolicy(),
     compressedAnswers(),

@@ -72,11 +72,15 @@ export class AppPage {
     return state;
   }
 
-  /** Opens an empty project in the app of an earlier test. Returns whether there is such an app. */
-  async openEmptyAgain(): Promise<boolean> {
+  /**
+   * Opens an empty project in the app of an earlier test. Returns whether there is such an app. `reset` takes back choices that
+   * belong to no document, in a window of the usual size.
+   */
+  async openEmptyAgain(reset: () => Promise<void> = () => Promise.resolve()): Promise<boolean> {
     if (!isLoaded(this.page)) return false;
     const size = this.page.viewportSize();
     await this.#empty();
+    await reset();
     await this.#resize(size);
     return true;
   }

@@ -1,17 +1,16 @@
-import { expect, test, type Page } from "@playwright/test";
+import { expect, type Page } from "@playwright/test";
 import { parseVtu } from "../support/mesh-files";
 import { measured } from "../support/mesh-measures";
-import { countActions, expectActions } from "./actions";
-import { AppPage } from "./app-page";
+import { expectActions } from "./actions";
+import type { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
+import { DrawPage } from "./draw-page";
 import { acceptOperation, startOperation } from "./operations";
+import { sharedTest } from "./shared-page";
 
 async function openEmpty(page: Page): Promise<AppPage> {
-  await countActions(page);
-  await page.goto("./?test=1&new=1");
-  const app = new AppPage(page);
-  await expect(app.viewport).toHaveAttribute("data-points", "0");
-  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+  const app = new DrawPage(page);
+  await app.openNew();
   return app;
 }
 
@@ -26,64 +25,68 @@ async function checkedVolume(app: AppPage, task?: string): Promise<number> {
   return volume;
 }
 
-test("a wing is subtracted from a box: the result is said to be a body, is meshed and downloaded", async ({
-  page,
-}) => {
-  const app = await openEmpty(page);
-  await startOperation(page, "Box…");
-  for (const key of ["width", "depth", "height"]) await page.getByTestId(`operation-${key}`).fill("3");
-  await acceptOperation(page);
-  await startOperation(page, "NACA wing…");
-  await page.getByTestId("operation-chord").fill("1");
-  await page.getByTestId("operation-tipChord").fill("0.6");
-  await page.getByTestId("operation-span").fill("1.5");
-  await acceptOperation(page);
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Control+a");
-  await startOperation(page, "Difference of two bodies");
-  await expect(page.getByTestId("operation-note")).toContainText("triangulated boundary");
-  await acceptOperation(page);
-  await expect(app.viewport).toHaveAttribute("data-patches", "0");
-  const volume = await checkedVolume(app, "Wing cut out of a box");
-  expect(volume).toBeLessThan(27);
-  expect(volume).toBeGreaterThan(26.8);
-  // Without its body, the mesh is hidden with its legend.
-  const legend = page.getByTestId("legend");
-  await expect(legend).toBeVisible();
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Control+z");
-  await expect(legend).toBeHidden();
-  await page.keyboard.press("Control+Shift+z");
-  await expect(legend).toBeVisible();
-});
+sharedTest(
+  "a wing is subtracted from a box: the result is said to be a body, is meshed and downloaded",
+  async ({ page }) => {
+    const app = await openEmpty(page);
+    await startOperation(page, "Box…");
+    for (const key of ["width", "depth", "height"]) await page.getByTestId(`operation-${key}`).fill("3");
+    await acceptOperation(page);
+    await startOperation(page, "NACA wing…");
+    await page.getByTestId("operation-chord").fill("1");
+    await page.getByTestId("operation-tipChord").fill("0.6");
+    await page.getByTestId("operation-span").fill("1.5");
+    await acceptOperation(page);
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+a");
+    await startOperation(page, "Difference of two bodies");
+    await expect(page.getByTestId("operation-note")).toContainText("triangulated boundary");
+    await acceptOperation(page);
+    await expect(app.viewport).toHaveAttribute("data-patches", "0");
+    const volume = await checkedVolume(app, "Wing cut out of a box");
+    expect(volume).toBeLessThan(27);
+    expect(volume).toBeGreaterThan(26.8);
+    // Without its body, the mesh is hidden with its legend.
+    const legend = page.getByTestId("legend");
+    await expect(legend).toBeVisible();
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+z");
+    await expect(legend).toBeHidden();
+    await page.keyboard.press("Control+Shift+z");
+    await expect(legend).toBeVisible();
+  },
+);
 
-test("a box is cut out of a box: points, lines and patches again, as one step of undo", async ({ page }) => {
-  const app = await openEmpty(page);
-  await startOperation(page, "Box…");
-  await acceptOperation(page);
-  await startOperation(page, "Box…");
-  await page.getByTestId("operation-width").fill("1/2");
-  await page.getByTestId("operation-depth").fill("1/2");
-  await page.getByTestId("operation-height").fill("1");
-  await acceptOperation(page);
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Control+a");
-  await startOperation(page, "Difference of two bodies");
-  await expect(page.getByTestId("operation-note")).toContainText("planar patches again");
-  // The chosen operation has the focus, and no name of one is cut off.
-  await expect(page.getByRole("radio", { name: "Difference" })).toBeFocused();
-  const clipped = await page
-    .getByTestId("operation")
-    .locator("label")
-    .evaluateAll((labels) => labels.filter((label) => label.scrollWidth > label.clientWidth).length);
-  expect(clipped).toBe(0);
-  await acceptOperation(page);
-  await expect(app.viewport).toHaveAttribute("data-points", "16");
-  await expect(app.viewport).toHaveAttribute("data-lines", "24");
-  await expect(app.viewport).toHaveAttribute("data-patches", "10");
-  expect(await checkedVolume(app, "Box cut out of a box")).toBeCloseTo(0.75, 9);
-  await page.getByRole("button", { name: "Undo: Subtract body" }).click();
-  await expect(app.viewport).toHaveAttribute("data-patches", "12");
-  await page.keyboard.press("Control+Shift+z");
-  await expect(app.viewport).toHaveAttribute("data-patches", "10");
-});
+sharedTest(
+  "a box is cut out of a box: points, lines and patches again, as one step of undo",
+  async ({ page }) => {
+    const app = await openEmpty(page);
+    await startOperation(page, "Box…");
+    await acceptOperation(page);
+    await startOperation(page, "Box…");
+    await page.getByTestId("operation-width").fill("1/2");
+    await page.getByTestId("operation-depth").fill("1/2");
+    await page.getByTestId("operation-height").fill("1");
+    await acceptOperation(page);
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+a");
+    await startOperation(page, "Difference of two bodies");
+    await expect(page.getByTestId("operation-note")).toContainText("planar patches again");
+    // The chosen operation has the focus, and no name of one is cut off.
+    await expect(page.getByRole("radio", { name: "Difference" })).toBeFocused();
+    const clipped = await page
+      .getByTestId("operation")
+      .locator("label")
+      .evaluateAll((labels) => labels.filter((label) => label.scrollWidth > label.clientWidth).length);
+    expect(clipped).toBe(0);
+    await acceptOperation(page);
+    await expect(app.viewport).toHaveAttribute("data-points", "16");
+    await expect(app.viewport).toHaveAttribute("data-lines", "24");
+    await expect(app.viewport).toHaveAttribute("data-patches", "10");
+    expect(await checkedVolume(app, "Box cut out of a box")).toBeCloseTo(0.75, 9);
+    await page.getByRole("button", { name: "Undo: Subtract body" }).click();
+    await expect(app.viewport).toHaveAttribute("data-patches", "12");
+    await page.keyboard.press("Control+Shift+z");
+    await expect(app.viewport).toHaveAttribute("data-patches", "10");
+  },
+);

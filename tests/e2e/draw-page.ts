@@ -9,12 +9,12 @@ import { downloaded, downloadMesh } from "./downloads";
 /** The view of a new project, drawn in with the pointer and the keyboard alone. */
 export class DrawPage extends AppPage {
   async openNew(): Promise<void> {
-    if (await this.openEmptyAgain()) {
+    const chooseStraightLines = async (): Promise<void> => {
       await this.page.getByTestId("tool-line").click();
       await this.page.getByTestId("drawing-bar").getByText("straight", { exact: true }).click();
       await this.page.getByTestId("tool-select").click();
-      return forgetActions(this.page);
-    }
+    };
+    if (await this.openEmptyAgain(chooseStraightLines)) return forgetActions(this.page);
     await countActions(this.page);
     await this.page.addInitScript(() => {
       Reflect.deleteProperty(window, "showOpenFilePicker");

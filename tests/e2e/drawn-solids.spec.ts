@@ -1,7 +1,8 @@
-import { expect, test, type Page } from "@playwright/test";
+import { expect, type Page } from "@playwright/test";
 import { PROJECT_FORMAT, PROJECT_VERSION } from "tetrafront/project";
-import { AppPage } from "./app-page";
+import { DrawPage } from "./draw-page";
 import { acceptOperation, startOperation } from "./operations";
+import { sharedTest } from "./shared-page";
 
 type Corner = readonly [number, number, number];
 
@@ -39,14 +40,9 @@ function drawnProject(): string {
   });
 }
 
-async function openDrawn(page: Page): Promise<AppPage> {
-  await page.addInitScript(() => {
-    localStorage.setItem("tetrafront-start-page", "never");
-    Reflect.deleteProperty(window, "showOpenFilePicker");
-  });
-  const app = new AppPage(page);
-  await page.goto("./?test=1&new=1");
-  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+async function openDrawn(page: Page): Promise<DrawPage> {
+  const app = new DrawPage(page);
+  await app.openNew();
   await app.openFile("drawn.json", drawnProject());
   await expect(page.getByTestId("tree-line-10")).toBeVisible();
   return app;
@@ -68,7 +64,7 @@ const volume = async (page: Page): Promise<number> =>
 
 const frustum = (height: number): number => (height / 3) * 4 * (1 + 2 + 4);
 
-test("drawn loops become a loft that follows the parameters of their points", async ({ page }) => {
+sharedTest("drawn loops become a loft that follows the parameters of their points", async ({ page }) => {
   const app = await openDrawn(page);
   await selectLines(page, [1]);
   await startOperation(page, "Loft…");
@@ -110,7 +106,7 @@ test("drawn loops become a loft that follows the parameters of their points", as
   await expect(page.getByTestId("operation-isRuled")).toBeChecked();
 });
 
-test("a drawn loop is swept along drawn lines, and cut from the solid there", async ({ page }) => {
+sharedTest("a drawn loop is swept along drawn lines, and cut from the solid there", async ({ page }) => {
   const app = await openDrawn(page);
   await startOperation(page, "Box…");
   await page.getByTestId("piece-operation").getByText("New").click();
@@ -139,10 +135,9 @@ test("a drawn loop is swept along drawn lines, and cut from the solid there", as
   await expect(app.viewport).toHaveAttribute("data-lines", "4");
 });
 
-test("a solid explodes into patches that can be edited", async ({ page }) => {
-  const app = new AppPage(page);
-  await page.goto("./?test=1&new=1");
-  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+sharedTest("a solid explodes into patches that can be edited", async ({ page }) => {
+  const app = new DrawPage(page);
+  await app.openNew();
   await startOperation(page, "Cylinder…");
   await page.getByTestId("piece-operation").getByText("New").click();
   await computed(page);
