@@ -22,8 +22,7 @@ namespace {
 /// of them and also exceeds what rounding can cause, which is a much larger fraction for long and
 /// thin shapes.
 constexpr double kVolumeTolerance = 1e-10;
-/// Bound on the rounding error of the differences, products and sums of one term, with a margin for
-/// the sum of all terms.
+/// Bound on the rounding error of the differences and products of one term, with a margin. The sums are compensated.
 constexpr double kRoundingPerTerm = 16.0 * std::numeric_limits<double>::epsilon();
 
 double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -218,7 +217,7 @@ void MeshVerifier::comparePositions(std::span<NodeId> nodes) {
 void MeshVerifier::checkTetrahedron(TetId tet) {
   const auto [a, b, c, d] = cornersOf(mesh_, tet);
   if (orient3d(a, b, c, d) <= 0) report(defects_.invertedTetrahedra, tet);
-  defects_.meshVolume += sixVolumes(b - a, c - a, d - a) / 6.0;
+  volume_.add(sixVolumes(b - a, c - a, d - a) / 6.0);
 }
 
 /// Calls use(face, owner) for the faces of elements in [first, last).
@@ -321,11 +320,14 @@ void MeshVerifier::findDuplicateTetrahedra() {
 }
 
 void MeshVerifier::compareVolumes() {
+  defects_.meshVolume = volume_.value();
+  CompensatedSum enclosed;
   for (const TriangleId triangle : IdRange<TriangleId>(countTriangles(surface_))) {
     if (surface_.isInterface(triangle.index())) continue;
     const Spanned spanned = spannedBy(surface_, originOf(surface_), triangle);
-    defects_.surfaceVolume += sixVolumes(spanned.toTriangle, spanned.first, spanned.second) / 6.0;
+    enclosed.add(sixVolumes(spanned.toTriangle, spanned.first, spanned.second) / 6.0);
   }
+  defects_.surfaceVolume = enclosed.value();
   const double difference = std::fabs(defects_.meshVolume - defects_.surfaceVolume);
   const double tolerance = kVolumeTolerance * std::fabs(defects_.surfaceVolume);
   if (difference <= tolerance) return;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/compensated_sum.h"
 #include "base/ids.h"
 #include "base/task.h"
 #include "tetrafront/mesh.h"
@@ -101,6 +102,7 @@ class MeshVerifier {
   const VolumeMesh& mesh_;
   const SurfaceMesh& surface_;
   MeshDefects defects_;
+  CompensatedSum volume_;        ///< of the tetrahedra
   std::vector<TetId> suspects_;  ///< tetrahedra at faces that do not match
   Job<> job_;                    ///< last, because it uses the other members
 };
