@@ -16,9 +16,10 @@ class CoreNodes::Row {
         firstOwn_(nodes.firstOwn) {}
 
   [[nodiscard]] NodeId at(std::uint32_t x) {
-    if (const NodeId own = own_.at(x); !own.isNone()) return NodeId(firstOwn_ + own.value);
-    const NodeId shared = shared_.at(x);
-    return shared.isNone() ? shared : NodeId(firstShared_ + shared.value);
+    const NodeId inOwn = own_.at(x);
+    if (!inOwn.isNone()) return NodeId(firstOwn_ + inOwn.value);
+    const NodeId inShared = shared_.at(x);
+    return inShared.isNone() ? inShared : NodeId(firstShared_ + inShared.value);
   }
 
  private:

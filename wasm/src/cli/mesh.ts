@@ -21,10 +21,11 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/project-types.js";
 import { asTypedDiagnostic, inCommandLineWords } from "./command-line-words.js";
+import { formatOf } from "../formats/file-formats.js";
 import { writableName, writeMeshTo } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
-import { type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
+import { formatName, type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
 import { readGiven, subjectOf } from "./joined-inputs.js";
 import { asInvalidInput, asEngineFailure, ExitCode, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, givenFiles, outputFiles } from "./paths.js";
@@ -132,12 +133,18 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const isQuiet = options.quiet === true;
   const subject = subjectOf(input, options.joined);
   const requiredAngle = requiredAngleOf(options);
-  const made = await meshInput(input, options, () => checkMeshPaths(input, options));
-  const { given, result, model: meshed, found } = made;
+  let written: string | null = null;
+  const write = async ({ result, model: meshed }: Pick<MeshedInput, "result" | "model">): Promise<void> => {
+    if (!mayWrite(result, options)) return;
+    if (await writeResult(input, options, result, meshed)) written = options.output;
+  };
+  const streaming = isStreamed(options) ? { inBlocks: true, write } : {};
+  const made = await meshInput(input, options, () => checkMeshPaths(input, options), streaming);
+  const { given, result, found } = made;
   const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
-  const { mesh, report } = result;
+  const { report } = result;
   const shouldWrite = mayWrite(result, options);
-  const written = shouldWrite && (await writeResult(input, options, mesh, meshed)) ? options.output : null;
+  if (result.blocks === undefined) await write(made);
   if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
   const poor = requiredAngleError(
@@ -175,6 +182,17 @@ export interface MeshedInput {
 /** What a recorded run does with the front. */
 export type FrontRecording = Pick<RunControl, "onTrace" | "experiment">;
 
+/** What becomes of a finished mesh whose elements stay in the engine: `write` has its file written before the mesher is disposed of. */
+interface Streaming extends Pick<RunControl, "inBlocks"> {
+  readonly write?: (made: Pick<MeshedInput, "result" | "model">) => Promise<void>;
+}
+
+/** Returns whether the elements of a mesh are written while they are read from the engine. Several runs may be needed for a number of them. */
+function isStreamed({ output, to, elements, elementOrder }: MeshCommandOptions): boolean {
+  const format = formatOf(formatName(output, to));
+  return elements === undefined && elementOrder !== "2" && ["vtu", "gmsh"].includes(format?.id ?? "");
+}
+
 /**
  * Reads, repairs and meshes an input, and prints what was done. `checkPaths` is called before anything is read. `recording`
  * receives the steps of the front, and may change its rules.
@@ -183,7 +201,7 @@ export async function meshInput(
   input: string,
   options: Omit<MeshCommandOptions, "output">,
   checkPaths: () => Promise<void>,
-  recording: FrontRecording = {},
+  { write, ...recording }: FrontRecording & Streaming = {},
 ): Promise<MeshedInput> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
@@ -193,7 +211,7 @@ export async function meshInput(
   if (given.kind === "project") checkForProject(given.project, options, meshOptions);
   const grid = await readGivenGrid(options, isQuiet);
   const early = earlyNotes(subject, isQuiet);
-  const meshed = await withRun(isQuiet, async (mesher, controlOf) => {
+  const run: Parameters<typeof withRun<Omit<MeshedInput, "given">>>[1] = async (mesher, controlOf) => {
     const all = await withGrid(mesher, meshOptions, grid);
     const control = (step?: Step) => ({ ...controlOf(step), ...recording });
     if (control().signal.aborted) return { result: emptyResult("cancelled"), model: given, found: read };
@@ -222,6 +240,11 @@ export async function meshInput(
     });
     const model = { kind: "surface", surface: made.surface } as const;
     return { result: made, model, found: [...read, ...made.diagnostics], made };
+  };
+  const meshed = await withRun(isQuiet, async (...parts) => {
+    const ended = await run(...parts);
+    if (ended.result.blocks !== undefined) await write?.(ended);
+    return ended;
   }).catch((failure: unknown) => cancelledOr(failure, given, read));
   if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
   const { secondOrder } = meshed.result.report;
@@ -394,7 +417,7 @@ function mayWrite({ report, mesh }: MeshResult, { keepPartial }: MeshCommandOpti
 async function writeResult(
   input: string,
   options: MeshCommandOptions,
-  mesh: Mesh,
+  { mesh, blocks }: MeshResult,
   model: Input,
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;
@@ -406,7 +429,7 @@ async function writeResult(
     }
   }
   const elementOrder = elementOrderFor(options, name);
-  return succeeds(() => writeMeshTo({ input: subject, output, name, isQuiet }, mesh, { elementOrder }));
+  return succeeds(() => writeMeshTo({ input: subject, output, name, isQuiet }, mesh, { elementOrder, blocks }));
 }
 
 type CommandReport = MeshReport & {
