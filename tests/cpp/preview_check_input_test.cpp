@@ -272,8 +272,8 @@ TEST(CheckInput, TooManyElementsInAPlateBlameNoSourceForVolumeOutsideIt) {
 }
 
 TEST(CheckInput, TooManyElementsNameTheBackgroundNodeThatRequiresTheMost) {
-  BackgroundGrid grid = coveringGrid(Vec3(0.0), Vec3(1, 2, 3), 0.0025, CoverShape::kBox);
-  grid.nodes[3].size = 0.002;
+  BackgroundGrid grid = coveringGrid(Vec3(0.0), Vec3(1, 2, 3), 0.005, CoverShape::kBox);
+  grid.nodes[3].size = 0.004;
   const std::vector<Diagnostic> found =
       checkInput(boxModel({0, 0, 0}, {1, 2, 3}), grid, {}).preview.diagnostics;
   ASSERT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);

@@ -238,7 +238,7 @@ sharedTest(
     await slider.press("ArrowRight");
     await expect(page.getByTestId("elements")).not.toHaveValue("2500");
     await app.type("elements", "0");
-    await expect(page.getByText("Must be a whole number from 1 to 500 million")).toBeVisible();
+    await expect(page.getByText("Must be a whole number from 1 to 20 million")).toBeVisible();
     await page.getByRole("switch", { name: "Reach a number of elements" }).click();
     await expect(page.getByTestId("elements")).toBeHidden();
     expect((await app.generate()).tets).toBe(before);

@@ -341,7 +341,7 @@ export const panelStrings = {
     count: "Elements",
     countMarks: ["100", "1k", "10k", "100k", "1M"],
     countHint: "Multiplies all sizes by one factor, so that the mesh has this number, within 5 %.",
-    invalidCount: "Must be a whole number from 1 to 500 million",
+    invalidCount: "Must be a whole number from 1 to 20 million",
     noGrid: "There is no background grid yet.",
     gridCounts: (nodes: string, tetrahedra: string) =>
       `${nodes} nodes, ${tetrahedra} ${tetrahedra === "1" ? "tetrahedron" : "tetrahedra"}`,

@@ -288,7 +288,7 @@ export type ProposalOptions = Pick<
  */
 export interface MeshOptions extends SizeOptions {
   /**
-   * Number of elements that the mesh is to have, a whole number from 1 to 500 million; it is reached within 5 % where the shape
+   * Number of elements that the mesh is to have, a whole number from 1 to 20 million; it is reached within 5 % where the shape
    * permits. All sizes are multiplied by one factor, found by a few runs: given ones, and automatic ones too. Of a surface
    * whose triangles are kept, only the sizes inside change. If the number cannot be reached, the mesh has the nearest one, and
    * `element-count` warns. It cannot be combined with `size`; in a project, it scales that of the project.
