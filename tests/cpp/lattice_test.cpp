@@ -109,8 +109,8 @@ TEST(LatticeElements, AreTwelvePerCube) {
       std::array<Vec3, 4> p;
       for (std::size_t k = 0; k < 4; ++k) {
         p[k] = lattice.positionOf(nodes.placeOf(quad[k]));
-        EXPECT_EQ(p[k], lattice.positionOf(placeAt(nodes.placeOf(around.centre),
-                                                   kElementNodes[number][k])));
+        EXPECT_EQ(p[k], lattice.positionOf(
+                            placeAt(nodes.placeOf(around.centre), kElementNodes[number][k])));
       }
       EXPECT_DOUBLE_EQ(volumeOf(p), 1.0 / 12.0);
     }

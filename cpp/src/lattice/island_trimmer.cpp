@@ -89,8 +89,7 @@ Task<> IslandTrimmer::run(Work& work) {
       kNodesPerUnit);
   work.beginPart(0.8);
   co_await work.forEachBlock(
-      nodes_.count(),
-      [this](std::size_t first, std::size_t last) { markNearHull(first, last); },
+      nodes_.count(), [this](std::size_t first, std::size_t last) { markNearHull(first, last); },
       kNodesPerUnit);
   work.beginPart(0.9);
   co_await work.forEachBlock(

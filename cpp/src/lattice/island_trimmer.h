@@ -62,8 +62,7 @@ class IslandTrimmer {
     return (bits_[centre.index()] & kNearHull) != 0;
   }
   [[nodiscard]] bool isLive(const Element& element) const {
-    return !element.centre.isNone() &&
-           (bits_[element.centre.index()] >> element.number & 1U) != 0;
+    return !element.centre.isNone() && (bits_[element.centre.index()] >> element.number & 1U) != 0;
   }
   [[nodiscard]] Element neighbourOf(const Element& element, std::size_t corner) const;
   [[nodiscard]] bool isSpike(const Element& element) const;

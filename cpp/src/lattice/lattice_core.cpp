@@ -1,20 +1,32 @@
 #include "lattice/lattice_core.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
 namespace tetrafront {
+namespace {
+
+/// Rows in which the nodes around centres lie: y and z, from one below those of the centres.
+constexpr std::array<std::array<std::uint32_t, 2>, 7> kRowsAround{
+    {{1, 1}, {3, 1}, {1, 3}, {0, 0}, {0, 2}, {2, 0}, {2, 2}}};
+
+}  // namespace
 
 /// A row of both sets. Queries must ascend.
 class CoreNodes::Row {
  public:
-  Row(const CoreNodes& nodes, std::uint32_t y, std::uint32_t z)
-      : shared_(nodes.shared.rowAt(y, z)),
-        own_(nodes.own.rowAt(y, z)),
+  Row(const CoreNodes& nodes, std::uint32_t y, std::uint32_t z, const RowStart& start)
+      : shared_(nodes.shared.rowAt(y, z, start.shared)),
+        own_(nodes.own.rowAt(y, z, start.own)),
         firstShared_(nodes.firstShared),
         firstOwn_(nodes.firstOwn) {}
 
+  void skipTo(std::uint32_t x) {
+    shared_.skipTo(x);
+    own_.skipTo(x);
+  }
   [[nodiscard]] NodeId at(std::uint32_t x) {
     const NodeId inOwn = own_.at(x);
     if (!inOwn.isNone()) return NodeId(firstOwn_ + inOwn.value);
@@ -29,10 +41,33 @@ class CoreNodes::Row {
   std::uint32_t firstOwn_;
 };
 
-CoreNodes::Row CoreNodes::rowAt(std::uint32_t y, std::uint32_t z) const { return {*this, y, z}; }
+CoreNodes::RowStart CoreNodes::startOf(std::uint32_t y, std::uint32_t z) const {
+  return {static_cast<std::uint32_t>(shared.firstFrom({0, y, z})),
+          static_cast<std::uint32_t>(own.firstFrom({0, y, z}))};
+}
 
-LatticeCore::LatticeCore(const Lattice& lattice, CoreNodes nodes,
-                         std::vector<ElementBits> ofShared, std::vector<ElementBits> ofOwn)
+/// The rows around one of centres, as CentreRow asks for them.
+class LatticeCore::RowsAround {
+ public:
+  RowsAround(const CoreNodes& nodes, const Row& row) : nodes_(nodes), row_(row) {}
+
+  [[nodiscard]] CoreNodes::Row rowAt(std::uint32_t y, std::uint32_t z) const {
+    return {nodes_, y, z, row_.starts[indexOf(y, z, row_)]};
+  }
+  /// Own row, next ones along y and z, and the four of corners.
+  static std::size_t indexOf(std::uint32_t y, std::uint32_t z, const Row& row) {
+    const bool isAbove = y > row.y;
+    if (y % 2 == row.y % 2) return isAbove ? 1 : z > row.z ? 2 : 0;
+    return 3 + (isAbove ? 2U : 0U) + (z > row.z ? 1U : 0U);
+  }
+
+ private:
+  const CoreNodes& nodes_;
+  const Row& row_;
+};
+
+LatticeCore::LatticeCore(const Lattice& lattice, CoreNodes nodes, std::vector<ElementBits> ofShared,
+                         std::vector<ElementBits> ofOwn)
     : lattice_(lattice),
       nodes_(std::move(nodes)),
       ofShared_(std::move(ofShared)),
@@ -55,16 +90,24 @@ void LatticeCore::listRows() {
       const LatticePlace other = own.placeOf(NodeId(o));
       if (s == shared.count() || isBefore(other, place)) place = other;
     }
-    Row row{.y = place.y,
-            .z = place.z,
+    const auto [y, z] = std::pair(place.y, place.z);
+    Row row{.y = y,
+            .z = z,
             .firstElement = elementCount_,
             .shared = s,
             .own = o,
             .sharedEnd = static_cast<std::uint32_t>(shared.firstFrom({0, place.y + 1, place.z})),
-            .ownEnd = static_cast<std::uint32_t>(own.firstFrom({0, place.y + 1, place.z}))};
+            .ownEnd = static_cast<std::uint32_t>(own.firstFrom({0, place.y + 1, place.z})),
+            .starts = {}};
     for (; s < row.sharedEnd; ++s) elementCount_ += std::popcount(ofShared_[s]);
     for (; o < row.ownEnd; ++o) elementCount_ += std::popcount(ofOwn_[o]);
-    if (elementCount_ > row.firstElement) rows_.push_back(row);
+    if (elementCount_ == row.firstElement) continue;
+    for (const auto& [dy, dz] : kRowsAround) {
+      const std::uint32_t atY = y + dy - 1;
+      const std::uint32_t atZ = z + dz - 1;
+      row.starts[RowsAround::indexOf(atY, atZ, row)] = nodes_.startOf(atY, atZ);
+    }
+    rows_.push_back(row);
   }
 }
 
@@ -104,13 +147,15 @@ void LatticeCore::copyElements(std::uint32_t first, std::span<ElementSource::Ele
   std::size_t skipped = first - row->firstElement;
   std::size_t copied = 0;
   for (; copied < to.size(); ++row) {
-    CentreRow<CoreNodes::Row> nodes(nodes_, row->y, row->z);
+    CentreRow<CoreNodes::Row> nodes(RowsAround(nodes_, *row), row->y, row->z);
+    bool isFirst = true;
     forEachCentre(*row, [&](const Centre& centre) {
       const auto count = static_cast<std::size_t>(std::popcount(centre.bits));
       if (skipped >= count) {
         skipped -= count;
         return true;
       }
+      if (std::exchange(isFirst, false)) nodes.skipTo(centre.place.x);
       const CentreNodes around = nodes.at(centre.node, centre.place.x);
       for (std::size_t number = 0; number < kElementsPerCentre && copied < to.size(); ++number) {
         if ((centre.bits >> number & 1U) == 0) continue;

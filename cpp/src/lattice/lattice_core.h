@@ -3,6 +3,7 @@
 /// @file Tetrahedra of lattices that nothing changes any more: made row by row when they are asked for. A node takes ten bytes, and a
 /// tetrahedron none.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,7 +26,12 @@ class CoreNodes {
   std::uint32_t firstShared = 0;
   std::uint32_t firstOwn = 0;
 
-  [[nodiscard]] Row rowAt(std::uint32_t y, std::uint32_t z) const;
+  /// Where a row begins in each set.
+  struct RowStart {
+    std::uint32_t shared = 0;
+    std::uint32_t own = 0;
+  };
+  [[nodiscard]] RowStart startOf(std::uint32_t y, std::uint32_t z) const;
 };
 
 /// The tetrahedra of one lattice.
@@ -54,7 +60,10 @@ class LatticeCore {
     std::uint32_t own;
     std::uint32_t sharedEnd;
     std::uint32_t ownEnd;
+    /// Those of the rows that its tetrahedra have nodes in, by indexOf(): to look for them takes longer than to make a row.
+    std::array<CoreNodes::RowStart, 7> starts;
   };
+  class RowsAround;
   struct Centre {
     NodeId node;
     LatticePlace place;

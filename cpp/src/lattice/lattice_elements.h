@@ -88,6 +88,14 @@ class CentreRow {
         corners_{{{nodes.rowAt(y - 1, z - 1), nodes.rowAt(y - 1, z + 1)},
                   {nodes.rowAt(y + 1, z - 1), nodes.rowAt(y + 1, z + 1)}}} {}
 
+  /// Leaves out the centres before x.
+  void skipTo(std::uint32_t x) {
+    for (Row* row : {&own_, &alongY_, &alongZ_}) row->skipTo(x);
+    for (auto& rows : corners_) {
+      for (Row& row : rows) row.skipTo(x - 1);
+    }
+  }
+
   [[nodiscard]] CentreNodes at(NodeId centre, std::uint32_t x) {
     CentreNodes around{centre, {own_.at(x + 2), alongY_.at(x), alongZ_.at(x)}, {}};
     for (std::size_t i = 0; i < 2; ++i) {

@@ -219,9 +219,9 @@ class PartSort {
   }
 
   Islands islands_;
-  std::vector<Part> partOf_;    ///< per node
-  std::vector<NodeQuad> rim_;   ///< of the nodes of the lattice
-  std::vector<NodeId> newId_;   ///< per node outside the core
+  std::vector<Part> partOf_;   ///< per node
+  std::vector<NodeQuad> rim_;  ///< of the nodes of the lattice
+  std::vector<NodeId> newId_;  ///< per node outside the core
 };
 
 /// Joins the parts of all lattices.

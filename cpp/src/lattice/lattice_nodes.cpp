@@ -51,7 +51,11 @@ NodeId LatticeNodes::find(const LatticePlace& place) const {
 }
 
 LatticeNodes::Row LatticeNodes::rowAt(std::uint32_t y, std::uint32_t z) const {
-  return {keys_, keyOf({0, y, z}), firstFrom({0, y, z})};
+  return rowAt(y, z, firstFrom({0, y, z}));
+}
+
+LatticeNodes::Row LatticeNodes::rowAt(std::uint32_t y, std::uint32_t z, std::size_t index) const {
+  return {keys_, keyOf({0, y, z}), index};
 }
 
 }  // namespace tetrafront

@@ -63,6 +63,8 @@ class LatticeNodes {
   [[nodiscard]] NodeId find(const LatticePlace& place) const;
   /// Returns the nodes of a row along x.
   [[nodiscard]] Row rowAt(std::uint32_t y, std::uint32_t z) const;
+  /// The same, if it is known that firstFrom({0, y, z}) is `index`. O(1).
+  [[nodiscard]] Row rowAt(std::uint32_t y, std::uint32_t z, std::size_t index) const;
   /// Returns the first node that is not before a place, or their number.
   [[nodiscard]] std::size_t firstFrom(const LatticePlace& place) const;
 
@@ -81,6 +83,13 @@ class LatticeNodes::Row {
  public:
   Row(const std::vector<Key>& keys, Key first, std::size_t index)
       : keys_(keys.data()), end_(keys.size()), row_(first), next_(index) {}
+
+  /// Leaves out nodes before x - 2, far faster than queries do.
+  void skipTo(std::uint32_t x) {
+    constexpr std::size_t kStride = 16;
+    const Key key = row_ | x;
+    while (next_ + kStride < end_ && keys_[next_ + kStride] + 2 < key) next_ += kStride;
+  }
 
   /// Returns the node at x, or none. Later queries may be for x - 2 or more.
   [[nodiscard]] NodeId at(std::uint32_t x) {

@@ -36,8 +36,7 @@ struct ElementView {
 
 class BoundaryLimits {
  public:
-  explicit BoundaryLimits(const MeshView& mesh)
-      : mesh_(mesh), isOnBoundary_(mesh.nodeCount(), 0) {}
+  explicit BoundaryLimits(const MeshView& mesh) : mesh_(mesh), isOnBoundary_(mesh.nodeCount(), 0) {}
 
   /// Adds a triangle of the boundary or an interface, in either orientation. Triangles without a
   /// node of a tested element may be omitted.

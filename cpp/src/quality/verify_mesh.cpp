@@ -102,9 +102,7 @@ void MeshVerifier::report(std::uint64_t& count, Entity entity) {
 }
 
 /// Owners are tetrahedra, then triangles of the surface.
-std::size_t MeshVerifier::elementCount() const {
-  return tetrahedra_ + countTriangles(surface_);
-}
+std::size_t MeshVerifier::elementCount() const { return tetrahedra_ + countTriangles(surface_); }
 
 Task<> MeshVerifier::verify(Work& work) {
   work.beginPart(0.1);
@@ -275,9 +273,7 @@ void MeshVerifier::matchFacesOf(std::span<Face> faces) {
   }
 }
 
-bool MeshVerifier::isTetrahedron(const Face& face) const {
-  return face.owner() < tetrahedra_;
-}
+bool MeshVerifier::isTetrahedron(const Face& face) const { return face.owner() < tetrahedra_; }
 
 TriangleId MeshVerifier::triangleOf(const Face& face) const {
   return TriangleId(face.owner() - tetrahedra_);

@@ -51,9 +51,7 @@ class MeshView {
   [[nodiscard]] std::uint32_t nodeCount() const;
   [[nodiscard]] std::uint32_t elementCount() const;
   [[nodiscard]] const std::vector<std::uint32_t>& front() const { return kept_->front; }
-  [[nodiscard]] bool hasRegions() const {
-    return kept_->regions.size() >= countTetrahedra(*kept_);
-  }
+  [[nodiscard]] bool hasRegions() const { return kept_->regions.size() >= countTetrahedra(*kept_); }
   [[nodiscard]] Vec3 pointOf(NodeId node) const;
   /// Elements of a part cost far less in forEachElement().
   [[nodiscard]] NodeQuad nodesOf(TetId element) const;
@@ -97,7 +95,7 @@ class MeshView {
 
 template <bool kWithCorners, class Use>
 void MeshView::forEach(std::size_t first, std::size_t last, Use use) const {
-  constexpr std::size_t kBlock = 64;
+  constexpr std::size_t kBlock = 128;
   while (first < last) {
     const auto [part, index, count] = runFrom(first);
     const std::size_t end = first + std::min(count, last - first);

@@ -67,10 +67,10 @@ class NodeListPasses {
   std::vector<std::uint32_t> counts_;  ///< per node
   std::size_t maxEntries_;
   std::size_t itemCount_;
-  std::vector<std::size_t> ends_;         ///< behind the last node of each pass
-  std::vector<std::uint64_t> passesOf_;   ///< per chunk: the passes in which it has entries
-  std::vector<std::uint32_t> chunks_;     ///< of this pass
-  std::size_t pass_ = kMaxPasses;         ///< before the first one
+  std::vector<std::size_t> ends_;        ///< behind the last node of each pass
+  std::vector<std::uint64_t> passesOf_;  ///< per chunk: the passes in which it has entries
+  std::vector<std::uint32_t> chunks_;    ///< of this pass
+  std::size_t pass_ = kMaxPasses;        ///< before the first one
   std::size_t first_ = 0;
   std::size_t last_ = 0;
   std::vector<std::uint32_t> starts_;  ///< of the nodes of this pass, as in NodeLists

@@ -1,7 +1,14 @@
 /** Meshes whose elements stay in the engine and are handed out in blocks. */
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
-import { createMesher, type ElementBlocks, type MeshResult, type Mesher, streamMesh, writeMesh } from "tetrafront";
+import {
+  createMesher,
+  type ElementBlocks,
+  type MeshResult,
+  type Mesher,
+  streamMesh,
+  writeMesh,
+} from "tetrafront";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { boxSurface, dividedSurface } from "../../support/surfaces";
 import { temporaryFolder } from "../../support/temporary-folder";
@@ -37,7 +44,7 @@ async function read(blocks: ElementBlocks, size: number) {
 
 describe.each([
   ["one region", boxSurface(12)],
-  ["two regions", dividedSurface(9)],
+  ["two regions", dividedSurface(20)],
 ])("blocks of a mesh of %s", (_, surface) => {
   let [whole, inBlocks]: MeshResult[] = [];
   beforeAll(async () => {
@@ -67,7 +74,11 @@ describe.each([
     for (const { pieces } of files) for await (const piece of pieces) digest.update(piece);
     const [file] = await writeMesh(whole.mesh, name);
     expect(notes).toEqual([]);
-    expect(digest.digest("hex")).toBe(createHash("sha256").update(file?.bytes ?? "").digest("hex"));
+    expect(digest.digest("hex")).toBe(
+      createHash("sha256")
+        .update(file?.bytes ?? "")
+        .digest("hex"),
+    );
   });
 });
 
@@ -79,6 +90,26 @@ it("are refused by formats that need all elements at once", async () => {
   await expect(
     streamMesh(result.mesh, "part.vtu", { blocks: blocksOf(result), elementOrder: 2 }),
   ).rejects.toThrow(/blocks/);
+});
+
+it("stop being written when the signal is aborted; the progress never falls", async () => {
+  const result = await mesher.fillSurface(boxSurface(12), OPTIONS, { inBlocks: true });
+  const abort = new AbortController();
+  const fractions: number[] = [];
+  const whole = await streamMesh(result.mesh, "part.vtu", {
+    blocks: blocksOf(result),
+    onProgress: ({ fraction }) => fractions.push(fraction),
+  });
+  for (const { pieces } of whole.files) for await (const _ of pieces) void _;
+  expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
+  expect(fractions.length).toBeGreaterThan(1);
+  expect(fractions.at(-1)).toBe(1);
+  const { files } = await streamMesh(result.mesh, "part.vtu", {
+    blocks: blocksOf(result),
+    signal: abort.signal,
+  });
+  abort.abort();
+  await expect(files[0]?.pieces[Symbol.asyncIterator]().next()).rejects.toThrow(/aborted/);
 });
 
 it("cannot be read after their release", async () => {
@@ -109,11 +140,19 @@ describe("the command line", () => {
 
   it.each(["part.vtu", "part.msh"])("writes %s from blocks: the bytes of writeMesh", async (name) => {
     const surface = boxSurface(12);
-    const ends = (values: ArrayLike<number>, at: number) => Array.from(values).slice(3 * at, 3 * at + 3).join(" ");
+    const ends = (values: ArrayLike<number>, at: number) =>
+      Array.from(values)
+        .slice(3 * at, 3 * at + 3)
+        .join(" ");
     const lines = (values: ArrayLike<number>, first = "") =>
       Array.from({ length: values.length / 3 }, (_, i) => `${first}${ends(values, i)}`);
     const { points, triangles } = surface;
-    const text = ["OFF", `${points.length / 3} ${triangles.length / 3} 0`, ...lines(points), ...lines(triangles, "3 ")];
+    const text = [
+      "OFF",
+      `${points.length / 3} ${triangles.length / 3} 0`,
+      ...lines(points),
+      ...lines(triangles, "3 "),
+    ];
     folder.save("part.off", `${text.join("\n")}\n`);
     const options = ["--size", "0.08", "--interior", "lattice", "--surface", "keep", "--quiet"];
     const run = await folder.run("mesh", "part.off", "-o", name, ...options);

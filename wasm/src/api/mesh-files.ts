@@ -210,16 +210,30 @@ function streamedBlocks(
 ): StreamedMesh {
   const notes: Diagnostic[] = [];
   const note = (message: string) => notes.push(packageDiagnostic("left-out", message, "", "information"));
+  const { blocks } = mesh;
+  const total = blocks.nodes + blocks.tetrahedra;
+  let [read, bytes] = [0, 0];
+  /** Most of the work follows from what is read; files come late or early. */
+  const watched =
+    <Values>(readBlock: (first: number, count: number) => Promise<Values>) =>
+    (first: number, count: number) => {
+      throwIfCancelled(signal);
+      read += count;
+      onProgress?.({ fraction: Math.min(MAX_ESTIMATE, read / total), bytes });
+      return readBlock(first, count);
+    };
+  const own = {
+    ...blocks,
+    readPoints: watched(blocks.readPoints),
+    readTetrahedra: watched(blocks.readTetrahedra),
+  };
   const pieces = async function* (): AsyncGenerator<Uint8Array, void> {
     const yielder = new Yielder(signal);
-    let bytes = 0;
-    for await (const part of write?.(mesh, note, createSpool) ?? []) {
+    for await (const part of write?.({ ...mesh, blocks: own }, note, createSpool) ?? []) {
       for (const piece of piecesIn([part])) {
         bytes += piece.length;
         for (let at = 0; at < piece.length; at += PIECE_BYTES) yield piece.subarray(at, at + PIECE_BYTES);
-        if (!yielder.isDue) continue;
-        onProgress?.({ fraction: 0, bytes });
-        await yielder.yield();
+        if (yielder.isDue) await yielder.yield();
       }
     }
     onProgress?.({ fraction: 1, bytes });

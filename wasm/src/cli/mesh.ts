@@ -133,10 +133,10 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const isQuiet = options.quiet === true;
   const subject = subjectOf(input, options.joined);
   const requiredAngle = requiredAngleOf(options);
-  let written: string | null = null;
-  const write = async ({ result, model: meshed }: Pick<MeshedInput, "result" | "model">): Promise<void> => {
-    if (!mayWrite(result, options)) return;
-    if (await writeResult(input, options, result, meshed)) written = options.output;
+  const write: WriteMade = async ({ result, model: meshed }, signal) => {
+    const isWritten =
+      mayWrite(result, options) && (await writeResult(input, options, result, meshed, signal));
+    return isWritten ? options.output : null;
   };
   const streaming = isStreamed(options) ? { inBlocks: true, write } : {};
   const made = await meshInput(input, options, () => checkMeshPaths(input, options), streaming);
@@ -144,7 +144,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
   const { report } = result;
   const shouldWrite = mayWrite(result, options);
-  if (result.blocks === undefined) await write(made);
+  const { written = await write(made) } = made;
   if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
   const poor = requiredAngleError(
@@ -177,14 +177,22 @@ export interface MeshedInput {
   readonly found: readonly Diagnostic[];
   /** What was done to a surface. */
   readonly made?: MeshedSurface | undefined;
+  /** File that contains the mesh, or null, if it was to be written before the mesher was disposed of. */
+  readonly written?: string | null | undefined;
 }
 
 /** What a recorded run does with the front. */
 export type FrontRecording = Pick<RunControl, "onTrace" | "experiment">;
 
+/** Writes a mesh if it should be written; returns its file, or null. */
+type WriteMade = (
+  made: Pick<MeshedInput, "result" | "model">,
+  signal?: AbortSignal,
+) => Promise<string | null>;
+
 /** What becomes of a finished mesh whose elements stay in the engine: `write` has its file written before the mesher is disposed of. */
 interface Streaming extends Pick<RunControl, "inBlocks"> {
-  readonly write?: (made: Pick<MeshedInput, "result" | "model">) => Promise<void>;
+  readonly write?: WriteMade;
 }
 
 /** Returns whether the elements of a mesh are written while they are read from the engine. Several runs may be needed for a number of them. */
@@ -241,10 +249,11 @@ export async function meshInput(
     const model = { kind: "surface", surface: made.surface } as const;
     return { result: made, model, found: [...read, ...made.diagnostics], made };
   };
-  const meshed = await withRun(isQuiet, async (...parts) => {
-    const ended = await run(...parts);
-    if (ended.result.blocks !== undefined) await write?.(ended);
-    return ended;
+  const meshed = await withRun(isQuiet, async (mesher, controlOf, during) => {
+    const ended = await run(mesher, controlOf, during);
+    const { signal } = controlOf();
+    if (ended.result.blocks === undefined || write === undefined) return ended;
+    return { ...ended, written: await during(() => write(ended, signal)) };
   }).catch((failure: unknown) => cancelledOr(failure, given, read));
   if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
   const { secondOrder } = meshed.result.report;
@@ -419,6 +428,7 @@ async function writeResult(
   options: MeshCommandOptions,
   { mesh, blocks }: MeshResult,
   model: Input,
+  signal?: AbortSignal,
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;
   const subject = subjectOf(input, options.joined);
@@ -429,7 +439,9 @@ async function writeResult(
     }
   }
   const elementOrder = elementOrderFor(options, name);
-  return succeeds(() => writeMeshTo({ input: subject, output, name, isQuiet }, mesh, { elementOrder, blocks }));
+  return succeeds(() =>
+    writeMeshTo({ input: subject, output, name, isQuiet }, mesh, { elementOrder, blocks, signal }),
+  );
 }
 
 type CommandReport = MeshReport & {

@@ -147,7 +147,7 @@ export class EngineClient {
 
   /** Ends the life of the mesh of a run that stays in the engine. */
   release(run: number): void {
-    if (this.#closed === undefined) this.#worker.post({ kind: "release", run }, []);
+    if (this.#closed === undefined) this.#worker.post({ kind: "release", id: run }, []);
   }
 
   /** Rejects a question whose answer is no longer needed, and cancels its work. */
@@ -288,7 +288,9 @@ export class EngineClient {
     if (!isAwaited && !reply.isEngineLost) return;
     const question = this.#questions.get(reply.id)?.question;
     const triangles =
-      question?.kind !== "question" ? (this.#active?.triangles ?? 0) : trianglesIn(question.call, question.given);
+      question?.kind !== "question"
+        ? (this.#active?.triangles ?? 0)
+        : trianglesIn(question.call, question.given);
     this.#replaceWorker((progress) => failureError(reply, progress, triangles));
   }
 

@@ -97,7 +97,7 @@ export type Request =
   | Question
   | BlockRequest
   /** Ends the life of a mesh that stays in the engine: that of the run with this id. */
-  | { readonly kind: "release"; readonly run: number }
+  | { readonly kind: "release"; readonly id: number }
   /**
    * Cancels the run or question with this id. A run replies `stopping` and then `result`; a question does not
    * reply.

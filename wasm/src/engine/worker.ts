@@ -105,8 +105,8 @@ async function serve(request: Request): Promise<void> {
     case "read":
       return readBlock(request);
     case "release":
-      kept.get(request.run)?.delete();
-      kept.delete(request.run);
+      kept.get(request.id)?.delete();
+      kept.delete(request.id);
       return;
     case "question":
       return workIn<Engine | Tools>(modules[CALLS[request.call].module], request.id, (module) =>

@@ -354,10 +354,9 @@ const GMSH_LIMITS: FormatLimits = {
 
 async function vtuWriter(): Promise<MeshWriter> {
   const { writeVtu } = await import("./vtu.js");
-  return withLimits(
-    VTU_LIMITS,
-    (mesh, fileName, note, createSpool) => [{ fileName, parts: writeVtu(mesh, note, createSpool) }],
-  );
+  return withLimits(VTU_LIMITS, (mesh, fileName, note, createSpool) => [
+    { fileName, parts: writeVtu(mesh, note, createSpool) },
+  ]);
 }
 
 const VTU_LIMITS: FormatLimits = { minTag: 0, canHoldData: () => true, hasElementData: true };

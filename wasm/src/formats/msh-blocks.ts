@@ -7,10 +7,7 @@ import type { Note } from "./file-format.js";
 import { countIn, elementCount, elementRows, entityElements, mshHead, nodeTags } from "./msh.js";
 
 /** Yields the content of an MSH file. */
-export async function* writeMshBlocks(
-  { mesh, blocks }: BlockedMesh,
-  note: Note,
-): AsyncGenerator<Part, void> {
+export async function* writeMshBlocks({ mesh, blocks }: BlockedMesh, note: Note): AsyncGenerator<Part, void> {
   const { groups, head } = await inSteps(mshHead(withExamples(mesh), note));
   yield [...head, nodeTags(blocks.nodes, groups)];
   for await (const points of pointsIn(blocks)) yield points;
@@ -27,7 +24,10 @@ export async function* writeMshBlocks(
     const count = counts[g] ?? 0;
     yield entityElements(group, count);
     if (g < surfaces) yield elementRows(group, group.nodes, tag);
-    else yield* rowsOfRegion(blocks, regions[g - surfaces] ?? 0, (nodes, from) => elementRows(group, nodes, tag + from));
+    else
+      yield* rowsOfRegion(blocks, regions[g - surfaces] ?? 0, (nodes, from) =>
+        elementRows(group, nodes, tag + from),
+      );
     tag += count;
   }
   yield "\n$EndElements\n";
