@@ -43,11 +43,12 @@ class Guarded {
   }
 
   /// Returns the result of a method of the object as a JavaScript value.
-  template <auto kMethod>
-  auto read() {
-    using Result = std::remove_cvref_t<std::invoke_result_t<decltype(kMethod), Object&>>;
-    const val result =
-        call(val(), [](Object& object) { return toJs(std::invoke(kMethod, object)); });
+  template <auto kMethod, class... Arguments>
+  auto read(Arguments... arguments) {
+    using Result =
+        std::remove_cvref_t<std::invoke_result_t<decltype(kMethod), Object&, Arguments...>>;
+    const val result = call(
+        val(), [&](Object& object) { return toJs(std::invoke(kMethod, object, arguments...)); });
     return Js<Result>(guard_.hasFailed() ? toJs(Result{}) : result);
   }
 

@@ -48,6 +48,14 @@ inline std::uint32_t latticeCountOf(Run& run) {
   return run.call(std::uint32_t{0}, [](MeshRun& mesh) { return mesh.latticeCount(); });
 }
 
+// Parts of the mesh after the end of the run.
+inline std::uint32_t nodeCountOf(Run& run) {
+  return run.call(std::uint32_t{0}, [](MeshRun& mesh) { return mesh.nodeCount(); });
+}
+inline std::uint32_t tetrahedronCountOf(Run& run) {
+  return run.call(std::uint32_t{0}, [](MeshRun& mesh) { return mesh.tetrahedronCount(); });
+}
+
 inline std::string fingerprintOf(Run& run) {
   return run.call(std::string(), [](MeshRun& mesh) { return toHex(mesh.fingerprint()); });
 }
@@ -121,6 +129,11 @@ emscripten::class_<Run> registerRuns() {
       .function("counters", &Run::read<&MeshRun::counters>)
       .function("hasFoundNothingBetter", &hasFoundNothingBetter)
       .function("latticeCount", &latticeCountOf)
+      .function("nodeCount", &nodeCountOf)
+      .function("tetrahedronCount", &tetrahedronCountOf)
+      .function("points", &Run::read<&MeshRun::points, std::uint32_t, std::uint32_t>)
+      .function("tetrahedra", &Run::read<&MeshRun::tetrahedra, std::uint32_t, std::uint32_t>)
+      .function("regionRuns", &Run::read<&MeshRun::regionRuns>)
       .function("fingerprint", &fingerprintOf)
       .function("failure", &Run::failure)
       .function("failureMessage", &Run::failureMessage);

@@ -40,6 +40,15 @@ Progress MeshRun::progress() const { return impl_->progress(); }
 const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
 const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
 const VolumeMesh& MeshRun::volume() const { return impl_->volume(); }
+std::uint32_t MeshRun::nodeCount() const { return impl_->view().nodeCount(); }
+std::uint32_t MeshRun::tetrahedronCount() const { return impl_->view().elementCount(); }
+std::vector<double> MeshRun::points(std::uint32_t first, std::uint32_t last) const {
+  return pointsOf(impl_->view(), first, last);
+}
+std::vector<std::uint32_t> MeshRun::tetrahedra(std::uint32_t first, std::uint32_t last) const {
+  return elementsOf(impl_->view(), first, last);
+}
+std::vector<std::uint32_t> MeshRun::regionRuns() const { return regionRunsOf(impl_->view()); }
 std::vector<double> MeshRun::front() const { return impl_->front(); }
 const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
 QualitySummary MeshRun::quality() const { return impl_->quality(); }

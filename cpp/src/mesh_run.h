@@ -23,6 +23,7 @@
 #include "surface/surface_trace.h"
 #include "tetrafront/mesher.h"
 #include "topology/mesh_access.h"
+#include "topology/mesh_view.h"
 #include "topology/region_meshes.h"
 #include "volume/region_mesher.h"
 
@@ -80,7 +81,15 @@ class MeshRun::Impl {
     if (front_) return snapshotOf(front_->meshes());
     if (optimizer_) return snapshotOf(withRegion(optimizer_->mesh()));
     if (limiter_) return snapshotOf(withRegion(limiter_->mesh()));
-    return meshes_.regions.empty() ? result_ : snapshotOf(meshes_);
+    if (!meshes_.regions.empty()) return snapshotOf(meshes_);
+    if (result_.parts.empty()) return result_.kept;
+    if (snapshot_.points.empty()) snapshot_ = toVolumeMesh(MeshView(result_));
+    return snapshot_;
+  }
+  /// Returns the mesh without making arrays of it if the run has ended.
+  [[nodiscard]] MeshView view() const {
+    const bool hasEnded = !front_ && !optimizer_ && !limiter_ && meshes_.regions.empty();
+    return hasEnded ? MeshView(result_) : MeshView(volume());
   }
 
   [[nodiscard]] std::vector<double> front() const {
@@ -102,10 +111,15 @@ class MeshRun::Impl {
   [[nodiscard]] bool hasFoundNothingBetter() const { return hasFoundNothingBetter_; }
 
   [[nodiscard]] std::uint64_t fingerprint() const {
-    const VolumeMesh& mesh = volume();
+    constexpr std::size_t kBlock = 4096;
+    const MeshView mesh = view();
     Fingerprint fingerprint;
-    fingerprint.add(mesh.points);
-    fingerprint.add(mesh.tetrahedra);
+    for (std::size_t first = 0; first < mesh.nodeCount(); first += kBlock) {
+      fingerprint.add(pointsOf(mesh, first, first + kBlock));
+    }
+    for (std::size_t first = 0; first < mesh.elementCount(); first += kBlock) {
+      fingerprint.add(elementsOf(mesh, first, first + kBlock));
+    }
     return fingerprint.value();
   }
 
@@ -148,8 +162,9 @@ class MeshRun::Impl {
       count(meshes_.nodeCount(), meshes_.tetrahedronCount(), meshes_.frontFaceCount());
       if (optimizer_) addRegion(optimizer_->innerNodeCount(), optimizer_->tetrahedronCount());
       if (limiter_) addRegion(limiter_->innerNodeCount(), limiter_->tetrahedronCount());
-    } else if (!result_.points.empty()) {
-      count(countNodes(result_), countTetrahedra(result_), result_.front.size() / 3);
+    } else if (!result_.kept.points.empty()) {
+      const MeshView mesh(result_);
+      count(mesh.nodeCount(), mesh.elementCount(), mesh.front().size() / 3);
     }
     return progress;
   }
@@ -190,7 +205,7 @@ class MeshRun::Impl {
   void end();
 
   [[nodiscard]] const VolumeMesh& snapshotOf(RegionMeshes meshes) const {
-    return snapshot_ = joined(std::move(meshes));
+    return snapshot_ = toVolumeMesh(joined(std::move(meshes)));
   }
 
   void report(const std::vector<Diagnostic>& found) {
@@ -232,8 +247,8 @@ class MeshRun::Impl {
   std::size_t region_ = 0;                   ///< region that the optimizer or the limiter works on
   bool hasFoundNothingBetter_ = false;
   RegionMeshes meshes_;          ///< after the front
-  VolumeMesh result_;            ///< after the last stage
-  mutable VolumeMesh snapshot_;  ///< what volume() has returned while the run works
+  PartedMesh result_;            ///< after the last stage
+  mutable VolumeMesh snapshot_;  ///< what volume() has returned, unless the result is arrays
   RecoverySummary recovery_;
   FrontCounters counters_;
   std::uint32_t latticeCount_ = 0;

@@ -21,6 +21,7 @@
 #include "sizing/achievable_sizes.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
+#include "sizing/memory_limit.h"
 #include "sizing/most_demanding.h"
 #include "sizing/target_sizes.h"
 #include "sizing/volume_sizes.h"
@@ -239,11 +240,16 @@ bool MeshRun::Impl::limitElements() {
   const double forSizes = expectedTetrahedra(surface_, *field_);
   const double forVolumes = minTetrahedra(surface_, options_.maxVolume, maxVolumes_);
   const double expected = std::max(forSizes, forVolumes);
-  if (expected <= static_cast<double>(options_.maxTetrahedra)) {
+  const bool hasLattices =
+      options_.interior != Interior::kFront && !records_ && !field_->isStretched();
+  const double limit = std::min(
+      static_cast<double>(options_.maxTetrahedra),
+      std::floor(elementsWithin(kAddressableBytes, countTriangles(surface_), hasLattices)));
+  if (expected <= limit) {
     expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
     return true;
   }
-  Diagnostic tooMany = tooManyElements(expected, options_.maxTetrahedra);
+  Diagnostic tooMany = tooManyElements(expected, limit);
   if (forSizes >= forVolumes) {
     nameMostDemanding(tooMany, grid_, options_, boundsOf(surface_));
   }
@@ -356,7 +362,7 @@ Task<bool> MeshRun::Impl::limitVolumes(Work& work) {
     if (const double maxVolume = maxVolumeOf(region_); maxVolume > 0.0) {
       const double others =
           std::accumulate(needed.begin() + static_cast<std::ptrdiff_t>(region_) + 1, needed.end(),
-                          static_cast<double>(before + region().core.tetrahedra.size()));
+                          static_cast<double>(before + region().coreCount()));
       const double left = std::max(0.0, options_.maxTetrahedra - others);
       limiter_.emplace(std::exchange(region().mesh, {}), maxVolume, static_cast<std::size_t>(left));
       co_await limiter_->run(work);
@@ -382,7 +388,7 @@ double MeshRun::Impl::neededElements(std::size_t region) const {
   const double own = maxVolume > 0.0 ? tetrafront::neededElements(whole.mesh, maxVolume)
                                      : static_cast<double>(whole.mesh.tetrahedra.size());
   // The sizes of a lattice keep its elements below the limit.
-  return own + static_cast<double>(whole.core.tetrahedra.size());
+  return own + static_cast<double>(whole.coreCount());
 }
 
 /// Reports what the limiter has found in a region, with elements and counts of all regions. `before`: elements of earlier regions;
@@ -400,7 +406,7 @@ void MeshRun::Impl::reportLimits(std::size_t before, double others) {
 
 Task<> MeshRun::Impl::measure(Work& work) {
   takeResult();
-  QualityAnalysis analysis(result_, surface_, *field_);
+  QualityAnalysis analysis(MeshView(result_), surface_, *field_);
   co_await work.finish(analysis);
   quality_ = analysis.summary();
   statistics_ = analysis.statistics();
@@ -409,7 +415,7 @@ Task<> MeshRun::Impl::measure(Work& work) {
 
 /// Proves the result exactly. A defect is a mistake of the engine; the run then ends as stalled.
 Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
-  MeshVerifier verifier(result_, surface_);
+  MeshVerifier verifier(MeshView(result_), surface_);
   co_await work.finish(verifier);
   const MeshDefects& defects = verifier.defects();
   if (defects.count() == 0) co_return MeshStatus::kDone;

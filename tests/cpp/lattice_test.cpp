@@ -13,9 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/resumable.h"
 #include "base/task.h"
 #include "geom/measure.h"
+#include "lattice/lattice_elements.h"
 #include "lattice/lattice_nodes.h"
+#include "quality/quality_analysis.h"
+#include "quality/verify_mesh.h"
 #include "support/mesh_validator.h"
 #include "support/shapes.h"
 #include "tetrafront/mesher.h"
@@ -48,9 +52,35 @@ MeshRun filled(const SurfaceMesh& surface, double size, Interior interior,
   return run;
 }
 
-std::array<Vec3, 4> cornersOf(const LatticeInterior& lattice, const NodeQuad& nodes) {
+/// The core as arrays: its nodes follow those of the other parts.
+struct Core {
+  std::vector<Vec3> points;  ///< of all parts
+  std::vector<NodeQuad> elements;
+};
+
+Core coreOf(const LatticeInterior& lattice) {
+  Core core{lattice.points, {}};
+  for (std::uint32_t node = 0; node < lattice.core->nodeCount(); ++node) {
+    core.points.push_back(lattice.core->positionOf(node));
+  }
+  std::vector<ElementSource::Element> made(lattice.core->elementCount());
+  lattice.core->copyElements(0, made);
+  for (ElementSource::Element& element : made) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      NodeId& node = element.nodes[k];
+      if (node.value >= lattice.fixed) {
+        node = NodeId(node.value - lattice.fixed + lattice.points.size());
+      }
+      EXPECT_EQ(element.corners[k], core.points[node.index()]);
+    }
+    core.elements.push_back(element.nodes);
+  }
+  return core;
+}
+
+std::array<Vec3, 4> cornersOf(const std::vector<Vec3>& points, const NodeQuad& nodes) {
   std::array<Vec3, 4> corners;
-  for (std::size_t k = 0; k < 4; ++k) corners[k] = lattice.points[nodes[k].index()];
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = points[nodes[k].index()];
   return corners;
 }
 
@@ -58,7 +88,7 @@ double volumeOf(const std::array<Vec3, 4>& p) {
   return glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6.0;
 }
 
-TEST(LatticeNodes, HaveTwelveTetrahedraPerCube) {
+TEST(LatticeElements, AreTwelvePerCube) {
   // Corners and centres of 4 x 3 x 2 cubes. Between two centres along an axis are four tetrahedra.
   LatticeNodes nodes;
   const Lattice lattice(1.0, Vec3(0.0));
@@ -69,18 +99,23 @@ TEST(LatticeNodes, HaveTwelveTetrahedraPerCube) {
   }
   EXPECT_EQ(nodes.count(), 5U * 4U * 3U + 4U * 3U * 2U);
   Job<>([&](Work& work) { return nodes.sort(work); }).finish();
-  Job<std::vector<NodeQuad>> job([&](Work& work) { return nodes.tetrahedra(work); });
-  while (!job.advance(3)) {
-  }
-  const std::vector<NodeQuad> tetrahedra = job.take();
-  EXPECT_EQ(tetrahedra.size(), 4U * (3U * 3U * 2U + 4U * 2U * 2U + 4U * 3U * 1U));
   std::set<std::set<NodeId>> seen;
-  for (const NodeQuad& quad : tetrahedra) {
-    EXPECT_TRUE(seen.insert({quad.begin(), quad.end()}).second);
-    std::array<Vec3, 4> p;
-    for (std::size_t k = 0; k < 4; ++k) p[k] = lattice.positionOf(nodes.placeOf(quad[k]));
-    EXPECT_DOUBLE_EQ(volumeOf(p), 1.0 / 12.0);
-  }
+  forEachCentre(nodes, 0, nodes.count(), [&](const CentreNodes& around) {
+    const unsigned bits = around.complete();
+    for (std::size_t number = 0; number < kElementsPerCentre; ++number) {
+      if ((bits >> number & 1U) == 0) continue;
+      const NodeQuad quad = around.nodesOf(number);
+      EXPECT_TRUE(seen.insert({quad.begin(), quad.end()}).second);
+      std::array<Vec3, 4> p;
+      for (std::size_t k = 0; k < 4; ++k) {
+        p[k] = lattice.positionOf(nodes.placeOf(quad[k]));
+        EXPECT_EQ(p[k], lattice.positionOf(
+                            placeAt(nodes.placeOf(around.centre), kElementNodes[number][k])));
+      }
+      EXPECT_DOUBLE_EQ(volumeOf(p), 1.0 / 12.0);
+    }
+  });
+  EXPECT_EQ(seen.size(), 4U * (3U * 3U * 2U + 4U * 2U * 2U + 4U * 3U * 1U));
 }
 
 TEST(LatticeInterior, IsConformingAndDeepInside) {
@@ -88,13 +123,14 @@ TEST(LatticeInterior, IsConformingAndDeepInside) {
     const double size = 0.09;
     const LatticeInterior lattice = interiorOf(surface, SizeField::uniform(size));
     ASSERT_FALSE(lattice.isEmpty());
-    ASSERT_GT(lattice.core.size(), 0U);
+    const Core core = coreOf(lattice);
+    ASSERT_GT(core.elements.size(), 0U);
 
     // Each face of an element is one of two, or on the hull.
     std::map<std::set<NodeId>, int> faces;
     double volume = 0.0;
     const auto visit = [&](const NodeQuad& nodes) {
-      volume += volumeOf(cornersOf(lattice, nodes));
+      volume += volumeOf(cornersOf(core.points, nodes));
       for (std::size_t k = 0; k < 4; ++k) {
         std::set<NodeId> face(nodes.begin(), nodes.end());
         face.erase(nodes[k]);
@@ -102,7 +138,7 @@ TEST(LatticeInterior, IsConformingAndDeepInside) {
       }
     };
     for (const NodeQuad& nodes : lattice.rim) visit(nodes);
-    for (const NodeQuad& nodes : lattice.core) visit(nodes);
+    for (const NodeQuad& nodes : core.elements) visit(nodes);
     std::size_t single = 0;
     for (const auto& [face, count] : faces) {
       EXPECT_LE(count, 2);
@@ -128,7 +164,7 @@ TEST(LatticeInterior, IsConformingAndDeepInside) {
     EXPECT_NEAR(-enclosed, volume, 1e-10);
 
     // No node is near the boundary: by a search over all triangles.
-    for (const Vec3& point : lattice.points) {
+    for (const Vec3& point : core.points) {
       double squared = 1.0;
       for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
         const auto at = [&](std::size_t k) {
@@ -144,11 +180,11 @@ TEST(LatticeInterior, IsConformingAndDeepInside) {
 TEST(LatticeInterior, PartsShareOnlyFixedNodes) {
   const LatticeInterior lattice = interiorOf(geodesicSphere(10), SizeField::uniform(0.08));
   for (const NodeQuad& nodes : lattice.rim) {
-    for (const NodeId node : nodes) EXPECT_LT(node.value, lattice.firstInCore());
+    for (const NodeId node : nodes) EXPECT_LT(node.index(), lattice.points.size());
   }
-  for (const NodeQuad& nodes : lattice.core) {
+  for (const NodeQuad& nodes : coreOf(lattice).elements) {
     for (const NodeId node : nodes) {
-      EXPECT_TRUE(node.value < lattice.fixed || node.value >= lattice.firstInCore());
+      EXPECT_TRUE(node.value < lattice.fixed || node.index() >= lattice.points.size());
     }
   }
 }
@@ -246,6 +282,58 @@ TEST(WithLattices, GradedSizesMakeSeveralIslands) {
   EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
   EXPECT_GT(run.latticeCount(), 0U);
   EXPECT_GT(run.quality().minDihedral, 28.0);
+}
+
+/// The mesh in parts is the one in arrays, and lists in many passes give the same statistics and the same verdict as lists in one.
+TEST_P(WithLattice, PartsOfTheMeshAreThoseOfItsArrays) {
+  const auto& [name, surface, size] = GetParam();
+  const MeshRun run = filled(surface, size, Interior::kLattice);
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  std::vector<double> points;
+  std::vector<std::uint32_t> tetrahedra;
+  for (std::uint32_t first = 0; first < run.nodeCount(); first += 501) {
+    const std::vector<double> part = run.points(first, first + 501);
+    points.insert(points.end(), part.begin(), part.end());
+  }
+  for (std::uint32_t first = 0; first < run.tetrahedronCount(); first += 1237) {
+    const std::vector<std::uint32_t> part = run.tetrahedra(first, first + 1237);
+    tetrahedra.insert(tetrahedra.end(), part.begin(), part.end());
+  }
+  const std::vector<std::uint32_t> runs = run.regionRuns();
+  std::vector<std::uint32_t> regions;
+  for (std::size_t i = 0; i < runs.size(); i += 2) {
+    regions.insert(regions.end(), runs[i + 1], runs[i]);
+  }
+  const VolumeMesh& whole = run.volume();
+  EXPECT_EQ(points, whole.points);
+  EXPECT_EQ(tetrahedra, whole.tetrahedra);
+  EXPECT_EQ(regions, whole.regions);
+
+  const SizeField field = SizeField::uniform(size);
+  QualityAnalysis inOnePass(whole, run.surface(), field);
+  QualityAnalysis inPasses(whole, run.surface(), field, 1000);
+  finish(inOnePass);
+  finish(inPasses);
+  EXPECT_EQ(inPasses.statistics().meanEdge, inOnePass.statistics().meanEdge);
+  EXPECT_EQ(inPasses.statistics().edgesNearTarget, inOnePass.statistics().edgesNearTarget);
+  for (std::size_t r = 0; r < inOnePass.statistics().regions.size(); ++r) {
+    EXPECT_EQ(inPasses.statistics().regions[r].edge, inOnePass.statistics().regions[r].edge);
+  }
+  MeshVerifier verifier(whole, run.surface(), 1000);
+  finish(verifier);
+  EXPECT_EQ(verifier.defects().count(), 0U);
+}
+
+TEST(WithLattices, VerificationInPassesFindsAMissingElement) {
+  const MeshRun run = filled(geodesicSphere(12), 0.093, Interior::kLattice);
+  VolumeMesh mesh = run.volume();
+  const auto last = mesh.tetrahedra.size() / 4 - 1;
+  mesh.tetrahedra.resize(4 * last);
+  mesh.regions.resize(last);
+  MeshVerifier verifier(mesh, run.surface(), 1000);
+  finish(verifier);
+  EXPECT_EQ(verifier.defects().extraBoundaryFaces, 4U);
+  EXPECT_EQ(verifier.defects().wrongVolume, 1U);
 }
 
 TEST(WithLattices, AMeshDuringTheRunIsValidToo) {

@@ -155,7 +155,7 @@ VolumeMesh meshOfRegions(SurfaceMesh boundary) {
     optimizing.finish();
     region.mesh = optimizer.take();
   }
-  return joined(std::move(meshes));
+  return toVolumeMesh(joined(std::move(meshes)));
 }
 
 /// The second cube is far away and much coarser: a common front would have other buckets of sizes and another grid.

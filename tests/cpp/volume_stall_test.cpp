@@ -35,7 +35,7 @@ struct StallOutcome {
 };
 
 VolumeMesh meshOf(const VolumeMesher& mesher) { return toVolumeMesh(mesher.mesh()); }
-VolumeMesh meshOf(const RegionMesher& mesher) { return joined(mesher.meshes()); }
+VolumeMesh meshOf(const RegionMesher& mesher) { return toVolumeMesh(joined(mesher.meshes())); }
 
 template <class Mesher>
 StallOutcome runToEnd(Mesher& mesher, std::uint32_t budget) {

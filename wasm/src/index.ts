@@ -72,6 +72,7 @@ export type {
   VolumeInput,
   CurvedEdges,
 } from "./mesh/mesh.js";
+export type { ElementBlocks, RegionRun } from "./mesh/element-blocks.js";
 export type { MeshReport, MeshResult, MeshStatus, RegionSummary } from "./mesh/report.js";
 export type { MeshedSurface } from "./api/meshed-surface.js";
 export type { RegionLocation } from "./api/region-location.js";

@@ -73,8 +73,19 @@ class MeshRun {
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const;
 
   /// Returns the mesh, complete or not. While the run works, each call copies it, O(n) for n elements; the next call of
-  /// advance() or volume() replaces this copy.
+  /// advance() or volume() replaces this copy. After its end, the first call makes the arrays of lattices.
   [[nodiscard]] const VolumeMesh& volume() const;
+
+  /// Returns the number of nodes, or of tetrahedra, of volume(), without making its arrays. After the end of the run.
+  [[nodiscard]] std::uint32_t nodeCount() const;
+  [[nodiscard]] std::uint32_t tetrahedronCount() const;
+  /// Return a part of the arrays of volume() without making the others, after the end of the run: of the nodes, or the
+  /// tetrahedra, [first, last), or up to their end. O(last - first). Lattices then take no memory for their tetrahedra.
+  [[nodiscard]] std::vector<double> points(std::uint32_t first, std::uint32_t last) const;
+  [[nodiscard]] std::vector<std::uint32_t> tetrahedra(std::uint32_t first,
+                                                      std::uint32_t last) const;
+  /// Returns the regions of all tetrahedra in order, in runs: twice a region and its number of tetrahedra. O(n), without arrays.
+  [[nodiscard]] std::vector<std::uint32_t> regionRuns() const;
 
   /// Returns a copy of the front: x y z of three corners per active face. Empty outside Phase::kVolume. O(n) for
   /// n faces.

@@ -75,8 +75,9 @@ struct MeshOptions {
   Optimization optimization = Optimization::kDefault;
   /// Work with lattices grows with the surface rather than with the volume. A run that records its front makes none.
   Interior interior = Interior::kAuto;
-  /// Largest number of tetrahedra; above it, a run ends with kTooManyElements. The peak memory of a run is about
-  /// 150 bytes per tetrahedron, and WebAssembly has at most 4 GB.
+  /// Largest number of tetrahedra; above it, or above what fits into the memory that a program can address, a run ends with
+  /// kTooManyElements. The peak memory of a run is about 150 bytes per tetrahedron of the front and 10 bytes per tetrahedron of a
+  /// lattice, and WebAssembly has at most 4 GB. The default protects native programs, whose address space is no limit.
   std::uint32_t maxTetrahedra = 20'000'000;
   /// Largest volume of a tetrahedron, in cubed model units; 0 for no limit. It caps all sizes, and tetrahedra that are
   /// larger nonetheless are split. Only tetrahedra that rounding does not allow to be split remain.

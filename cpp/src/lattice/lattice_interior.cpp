@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/free_memory.h"
 #include "lattice/free_space.h"
 #include "lattice/island_trimmer.h"
+#include "lattice/lattice_core.h"
+#include "lattice/lattice_elements.h"
 #include "lattice/lattice_nodes.h"
 #include "lattice/rules.h"
 #include "lattice/size_survey.h"
@@ -86,9 +87,14 @@ class NodeFinder {
 
 /// Islands of one lattice.
 struct Islands {
-  std::vector<Vec3> points;
-  std::vector<NodeQuad> tetrahedra;
+  Lattice lattice;
+  LatticeNodes nodes;
+  std::vector<ElementBits> bits;  ///< per node
   std::vector<NodeTriple> hull;
+
+  [[nodiscard]] Vec3 positionOf(NodeId node) const {
+    return lattice.positionOf(nodes.placeOf(node));
+  }
 };
 
 Task<Islands> makeIslands(Work& work, const SizeSurvey& survey, const FreeSpace& space,
@@ -100,46 +106,22 @@ Task<Islands> makeIslands(Work& work, const SizeSurvey& survey, const FreeSpace&
     finder.visit(cube);
     co_await work.spend(4);
   }
-  LatticeNodes nodes = finder.take();
+  Islands islands{lattice, finder.take(), {}, {}};
   work.beginPart(0.5);
-  co_await nodes.sort(work);
-  work.beginPart(0.6);
-  std::vector<NodeQuad> tetrahedra = co_await nodes.tetrahedra(work);
+  co_await islands.nodes.sort(work);
   work.beginPart(1.0);
-  IslandTrimmer trimmer(nodes.count(), std::move(tetrahedra));
+  IslandTrimmer trimmer(islands.nodes);
   co_await trimmer.run(work);
-  Islands islands;
   islands.hull = trimmer.hull();
-  islands.tetrahedra = trimmer.take();
-  islands.points.reserve(nodes.count());
-  for (const NodeId node : IdRange<NodeId>(nodes.count())) {
-    islands.points.push_back(lattice.positionOf(nodes.placeOf(node)));
-  }
+  islands.bits = trimmer.take();
   co_return islands;
-}
-
-/// Appends islands; their nodes get ids after those that are there.
-void append(Islands& all, Islands more) {
-  if (all.points.empty()) {
-    all = std::move(more);
-    return;
-  }
-  const std::size_t first = all.points.size();
-  const auto shifted = [&](auto nodes) {
-    for (NodeId& node : nodes) node = NodeId(node.index() + first);
-    return nodes;
-  };
-  all.points.insert(all.points.end(), more.points.begin(), more.points.end());
-  for (const NodeQuad& nodes : more.tetrahedra) all.tetrahedra.push_back(shifted(nodes));
-  for (const NodeTriple& nodes : more.hull) all.hull.push_back(shifted(nodes));
 }
 
 std::vector<FreeSpace::Triangle> cornersOf(const Islands& islands) {
   std::vector<FreeSpace::Triangle> triangles;
   triangles.reserve(islands.hull.size());
   for (const auto& [a, b, c] : islands.hull) {
-    triangles.push_back(
-        {islands.points[a.index()], islands.points[b.index()], islands.points[c.index()]});
+    triangles.push_back({islands.positionOf(a), islands.positionOf(b), islands.positionOf(c)});
   }
   return triangles;
 }
@@ -147,52 +129,81 @@ std::vector<FreeSpace::Triangle> cornersOf(const Islands& islands) {
 /// Where a node of islands lies.
 enum class Part : std::uint8_t { kUnused, kCore, kRim, kFixed, kHull };
 
-/// Sorts nodes and tetrahedra by the part that they lie in.
+/// Sorts the nodes and tetrahedra of one lattice by the part that they lie in.
 class PartSort {
  public:
   explicit PartSort(Islands islands)
-      : islands_(std::move(islands)),
-        partOf_(islands_.points.size(), Part::kUnused),
-        newId_(islands_.points.size()) {}
+      : islands_(std::move(islands)), partOf_(islands_.nodes.count(), Part::kUnused) {}
 
-  Task<LatticeInterior> run(Work& work) {
+  Task<> run(Work& work) {
     for (const NodeTriple& nodes : islands_.hull) {
       for (const NodeId node : nodes) partOf_[node.index()] = Part::kHull;
     }
-    co_await work.forEachId<TetId>(
-        islands_.tetrahedra.size(), [this](TetId tet) { divide(islands_.tetrahedra[tet.index()]); },
-        kPerUnit);
-    freeMemory(islands_.tetrahedra);
-    co_await work.forEachId<TetId>(
-        interior_.core.size(), [this](TetId tet) { markCore(interior_.core[tet.index()]); },
-        kPerUnit);
-    for (const NodeQuad& nodes : interior_.rim) markRim(nodes);
-    co_await work.yield();
-    interior_.fixed = addNodes(Part::kFixed);
-    interior_.onHull = addNodes(Part::kHull);
-    interior_.inRim = addNodes(Part::kRim);
-    addNodes(Part::kCore);
-    co_await work.yield();
-    interior_.hull = std::move(islands_.hull);
-    for (NodeTriple& nodes : interior_.hull) renumber(nodes);
-    for (NodeQuad& nodes : interior_.rim) renumber(nodes);
-    co_await work.forEachId<TetId>(
-        interior_.core.size(), [this](TetId tet) { renumber(interior_.core[tet.index()]); },
-        kPerUnit);
-    co_return std::move(interior_);
+    co_await work.forEachBlock(
+        islands_.nodes.count(),
+        [this](std::size_t first, std::size_t last) {
+          forEachCentre(islands_.nodes, first, last,
+                        [this](const CentreNodes& around) { divide(around); });
+        },
+        kNodesPerUnit);
+    for (const NodeQuad& nodes : rim_) markRim(nodes);
+    newId_.resize(partOf_.size());
+  }
+
+  /// Gives the nodes of a part ids from the number of `points` on, and appends their positions.
+  void addNodes(Part part, std::vector<Vec3>& points) {
+    for (const NodeId node : IdRange<NodeId>(partOf_.size())) {
+      if (partOf_[node.index()] != part) continue;
+      newId_[node.index()] = NodeId(points.size());
+      points.push_back(islands_.positionOf(node));
+    }
+  }
+
+  /// Appends the hull and the rim, once their nodes have ids.
+  void addElements(LatticeInterior& interior) const {
+    for (const NodeTriple& nodes : islands_.hull) interior.hull.push_back(renumbered(nodes));
+    for (const NodeQuad& nodes : rim_) interior.rim.push_back(renumbered(nodes));
+  }
+
+  /// Returns the core; once, as the last call. Its nodes have ids from these on.
+  [[nodiscard]] LatticeCore takeCore(std::uint32_t firstShared, std::uint32_t firstOwn) {
+    CoreNodes nodes{.shared = {}, .own = {}, .firstShared = firstShared, .firstOwn = firstOwn};
+    nodes.own.reserve(countOf(Part::kCore));
+    std::vector<ElementBits> ofShared;
+    std::vector<ElementBits> ofOwn;
+    ofOwn.reserve(countOf(Part::kCore));
+    for (const NodeId node : IdRange<NodeId>(partOf_.size())) {
+      const Part part = partOf_[node.index()];
+      if (part != Part::kFixed && part != Part::kCore) continue;
+      (part == Part::kFixed ? nodes.shared : nodes.own).add(islands_.nodes.placeOf(node));
+      (part == Part::kFixed ? ofShared : ofOwn).push_back(islands_.bits[node.index()]);
+    }
+    return {islands_.lattice, std::move(nodes), std::move(ofShared), std::move(ofOwn)};
+  }
+
+  [[nodiscard]] std::size_t countOf(Part part) const {
+    return static_cast<std::size_t>(std::ranges::count(partOf_, part));
   }
 
  private:
-  /// Tetrahedra per unit of budget.
-  static constexpr std::size_t kPerUnit = 64;
+  /// Nodes per unit of budget.
+  static constexpr std::size_t kNodesPerUnit = 8;
 
-  void divide(const NodeQuad& nodes) {
-    const bool isRim = std::ranges::any_of(
-        nodes, [this](NodeId node) { return partOf_[node.index()] == Part::kHull; });
-    (isRim ? interior_.rim : interior_.core).push_back(nodes);
-  }
-  void markCore(const NodeQuad& nodes) {
-    for (const NodeId node : nodes) partOf_[node.index()] = Part::kCore;
+  /// Moves the tetrahedra of a centre that have a node on the hull to the rim.
+  void divide(const CentreNodes& around) {
+    ElementBits& bits = islands_.bits[around.centre.index()];
+    for (std::size_t number = 0; number < kElementsPerCentre; ++number) {
+      if ((bits >> number & 1U) == 0) continue;
+      const NodeQuad nodes = around.nodesOf(number);
+      const bool isRim = std::ranges::any_of(
+          nodes, [this](NodeId node) { return partOf_[node.index()] == Part::kHull; });
+      if (isRim) {
+        rim_.push_back(nodes);
+        bits &= static_cast<ElementBits>(~(1U << number));
+      } else {
+        for (const NodeId node : nodes) partOf_[node.index()] = Part::kCore;
+      }
+    }
   }
   void markRim(const NodeQuad& nodes) {
     for (const NodeId node : nodes) {
@@ -201,26 +212,49 @@ class PartSort {
       if (part == Part::kUnused) part = Part::kRim;
     }
   }
-  /// Returns how many nodes there are in this part.
-  std::uint32_t addNodes(Part part) {
-    const std::size_t before = interior_.points.size();
-    for (const NodeId node : IdRange<NodeId>(islands_.points.size())) {
-      if (partOf_[node.index()] != part) continue;
-      newId_[node.index()] = NodeId(interior_.points.size());
-      interior_.points.push_back(islands_.points[node.index()]);
-    }
-    return static_cast<std::uint32_t>(interior_.points.size() - before);
-  }
   template <class Nodes>
-  void renumber(Nodes& nodes) const {
+  [[nodiscard]] Nodes renumbered(Nodes nodes) const {
     for (NodeId& node : nodes) node = newId_[node.index()];
+    return nodes;
   }
 
   Islands islands_;
-  LatticeInterior interior_;
   std::vector<Part> partOf_;   ///< per node
-  std::vector<NodeId> newId_;  ///< per node
+  std::vector<NodeQuad> rim_;  ///< of the nodes of the lattice
+  std::vector<NodeId> newId_;  ///< per node outside the core
 };
+
+/// Joins the parts of all lattices.
+Task<LatticeInterior> joinParts(Work& work, std::vector<PartSort> lattices) {
+  LatticeInterior interior;
+  const auto addNodes = [&](Part part) {
+    const std::size_t before = interior.points.size();
+    for (PartSort& lattice : lattices) lattice.addNodes(part, interior.points);
+    return static_cast<std::uint32_t>(interior.points.size() - before);
+  };
+  interior.fixed = addNodes(Part::kFixed);
+  interior.onHull = addNodes(Part::kHull);
+  addNodes(Part::kRim);
+  co_await work.yield();
+  std::vector<LatticeCore> cores;
+  std::uint32_t firstShared = 0;
+  std::uint32_t firstOwn = interior.fixed;
+  for (PartSort& lattice : lattices) {
+    lattice.addElements(interior);
+    co_await work.yield();
+    const std::size_t shared = lattice.countOf(Part::kFixed);
+    const std::size_t own = lattice.countOf(Part::kCore);
+    cores.push_back(lattice.takeCore(firstShared, firstOwn));
+    firstShared += static_cast<std::uint32_t>(shared);
+    firstOwn += static_cast<std::uint32_t>(own);
+    lattice = PartSort({Lattice(1.0, Vec3(0.0)), {}, {}, {}});
+    co_await work.yield();
+  }
+  if (!cores.empty()) {
+    interior.core = std::make_shared<LatticeCores>(std::move(cores), interior.fixed);
+  }
+  co_return interior;
+}
 
 }  // namespace
 
@@ -240,7 +274,7 @@ Task<LatticeInterior> makeLatticeInterior(Work& work, const SurfaceMesh& boundar
   work.beginPart(0.2);
   const SizeSurvey survey = co_await SizeSurvey::make(work, bounds, space, field, region);
 
-  Islands all;
+  std::vector<PartSort> lattices;
   for (std::uint32_t sizeClass = 0; sizeClass < SizeClasses::kMost; ++sizeClass) {
     work.beginPart(0.2 + 0.8 * (sizeClass + 1) / SizeClasses::kMost);
     const double size = survey.meanSizeOf(sizeClass);
@@ -251,11 +285,11 @@ Task<LatticeInterior> makeLatticeInterior(Work& work, const SurfaceMesh& boundar
     if (found.hull.empty()) continue;
     // Later islands keep away from these.
     co_await space.add(work, cornersOf(found));
-    append(all, std::move(found));
+    lattices.emplace_back(std::move(found));
+    co_await lattices.back().run(work);
   }
-  PartSort sort(std::move(all));
-  LatticeInterior sorted = co_await sort.run(work);
-  co_return sorted;
+  LatticeInterior interior = co_await joinParts(work, std::move(lattices));
+  co_return interior;
 }
 
 }  // namespace tetrafront

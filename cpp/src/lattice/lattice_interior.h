@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/ids.h"
@@ -12,27 +13,32 @@
 #include "field/size_field.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/element_source.h"
 
 namespace tetrafront {
 
 /// Islands of lattice. The rim are the tetrahedra with a node on the hull: the optimizer may change them. Nothing changes the core, the
 /// other tetrahedra, so its nodes at the rim stay where they are.
 struct LatticeInterior {
-  /// First the fixed nodes (of core and rim), then those of the hull, then the others of the rim, then those of the core.
+  /// First the fixed nodes (of core and rim), then those of the hull, then the others of the rim. Those of the core alone have no array.
   std::vector<Vec3> points;
   std::uint32_t fixed = 0;
   std::uint32_t onHull = 0;
-  std::uint32_t inRim = 0;
   /// Triangles of the hull, which face into the islands, as a boundary faces out of what it bounds.
   std::vector<NodeTriple> hull;
-  std::vector<NodeQuad> rim;   ///< positively oriented
-  std::vector<NodeQuad> core;  ///< the same
+  std::vector<NodeQuad> rim;  ///< positively oriented
+  /// Shares the fixed nodes; null if there is none.
+  std::shared_ptr<const ElementSource> core;
 
   [[nodiscard]] bool isEmpty() const { return hull.empty(); }
-  [[nodiscard]] std::size_t tetrahedronCount() const { return rim.size() + core.size(); }
+  [[nodiscard]] std::size_t nodeCount() const {
+    return points.size() + (core ? core->nodeCount() : 0);
+  }
+  [[nodiscard]] std::size_t tetrahedronCount() const {
+    return rim.size() + (core ? core->elementCount() : 0);
+  }
   [[nodiscard]] std::uint32_t firstOnHull() const { return fixed; }
   [[nodiscard]] std::uint32_t firstInRim() const { return fixed + onHull; }
-  [[nodiscard]] std::uint32_t firstInCore() const { return fixed + onHull + inRim; }
 };
 
 /// Finds the islands in a region. `boundary`: all triangles around the region, closed; sizes are those of `region`. No node is nearer

@@ -101,8 +101,7 @@ std::span<const BoundaryLimits::Edge> BoundaryLimits::edgesBetween(NodeId a, Nod
 }
 
 Vec3 BoundaryLimits::positionIn(const ElementView& view, NodeId node) const {
-  const std::size_t i = 3 * node.index();
-  return view(Vec3(points_[i], points_[i + 1], points_[i + 2]));
+  return view(mesh_.pointOf(node));
 }
 
 /// The triangles at edge a b divide its surroundings into sectors. An element a b c d lies in one

@@ -10,6 +10,7 @@
 #include "base/ids.h"
 #include "field/size_tensor.h"
 #include "tetrafront/vec3.h"
+#include "topology/mesh_view.h"
 
 namespace tetrafront {
 
@@ -35,9 +36,7 @@ struct ElementView {
 
 class BoundaryLimits {
  public:
-  /// `points` holds x y z of the mesh's nodes.
-  explicit BoundaryLimits(std::span<const double> points)
-      : points_(points), isOnBoundary_(points.size() / 3, 0) {}
+  explicit BoundaryLimits(const MeshView& mesh) : mesh_(mesh), isOnBoundary_(mesh.nodeCount(), 0) {}
 
   /// Adds a triangle of the boundary or an interface, in either orientation. Triangles without a
   /// node of a tested element may be omitted.
@@ -62,7 +61,7 @@ class BoundaryLimits {
   [[nodiscard]] bool hasEdgeOfNeedle(const NodeQuad& nodes, const ElementView& view) const;
   [[nodiscard]] bool liesInNarrowGap(const NodeQuad& nodes, const ElementView& view) const;
 
-  std::span<const double> points_;
+  MeshView mesh_;
   std::vector<std::uint8_t> isOnBoundary_;  ///< per node
   std::vector<Edge> edges_;
 };

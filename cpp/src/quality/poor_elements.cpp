@@ -55,7 +55,7 @@ double smallestAngleOf(const std::array<Vec3, 3>& corners) {
 
 }  // namespace
 
-PoorElementAnalysis::PoorElementAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surface)
+PoorElementAnalysis::PoorElementAnalysis(const MeshView& mesh, const SurfaceMesh& surface)
     : mesh_(mesh), surface_(surface), isOnBoundary_(countNodes(mesh), 0) {}
 
 Task<PoorElements> PoorElementAnalysis::analyse(Work& work, std::span<const TetId> elements) {

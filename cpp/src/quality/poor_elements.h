@@ -16,6 +16,7 @@
 #include "tetrafront/mesh.h"
 #include "tetrafront/quality_statistics.h"
 #include "tetrafront/vec3.h"
+#include "topology/mesh_view.h"
 
 namespace tetrafront {
 
@@ -25,7 +26,7 @@ inline constexpr double kPoorCosine = 0.984807753012208;
 class PoorElementAnalysis {
  public:
   /// `surface` has the triangles of the boundary and of interfaces; its nodes are the mesh's. Both must outlive this.
-  PoorElementAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surface);
+  PoorElementAnalysis(const MeshView& mesh, const SurfaceMesh& surface);
 
   /// Finds the reasons of some elements, of which the first is the worst. O(n log n) for n triangles.
   Task<PoorElements> analyse(Work& work, std::span<const TetId> elements);
@@ -67,7 +68,7 @@ class PoorElementAnalysis {
   [[nodiscard]] Vec3 farthestAlong(NodeId start, const Vec3& direction) const;
   void describe(TetId element, const Reason& reason, PoorElements& poor) const;
 
-  const VolumeMesh& mesh_;
+  MeshView mesh_;
   const SurfaceMesh& surface_;
   std::vector<Edge> edges_;  ///< sorted
   std::vector<std::uint8_t> isOnBoundary_;

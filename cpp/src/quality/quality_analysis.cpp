@@ -4,7 +4,6 @@
 
 #include "quality/poor_elements.h"
 #include "topology/mesh_access.h"
-#include "topology/node_lists.h"
 #include "topology/tetrahedron.h"
 
 namespace tetrafront {
@@ -55,19 +54,6 @@ std::size_t linearBin(double value, double binsPerUnit, std::size_t count) {
   return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count - 1;
 }
 
-/// An edge of an element, as an index into kTetEdges.
-class ElementEdge {
- public:
-  ElementEdge() = default;
-  ElementEdge(TetId element, std::size_t edge)
-      : packed_(static_cast<std::uint32_t>(kTetEdges.size() * element.index() + edge)) {}
-  [[nodiscard]] TetId element() const { return TetId(packed_ / kTetEdges.size()); }
-  [[nodiscard]] const TetEdge& corners() const { return kTetEdges[packed_ % kTetEdges.size()]; }
-
- private:
-  std::uint32_t packed_ = 0;
-};
-
 /// Returns the lower node first.
 std::pair<NodeId, NodeId> sortedNodes(const NodeQuad& nodes, const TetEdge& edge) {
   return std::minmax(nodes[edge.from], nodes[edge.to]);
@@ -85,11 +71,12 @@ double dihedralCostOf(const TetrahedronMeasures& measures) {
 
 }  // namespace
 
-QualityAnalysis::QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surface,
-                                 const SizeField& field)
+QualityAnalysis::QualityAnalysis(const MeshView& mesh, const SurfaceMesh& surface,
+                                 const SizeField& field, std::size_t maxEdges)
     : mesh_(mesh),
       surface_(surface),
       field_(field),
+      maxEdges_(maxEdges),
       isStretched_(field.isStretched()),
       job_([this](Work& work) { return analyse(work); }) {
   const std::size_t nodes = countNodes(mesh);
@@ -116,32 +103,45 @@ Task<> QualityAnalysis::analyse(Work& work) {
 /// Measures the elements, and then each of their edges once.
 Task<> QualityAnalysis::measureElements(Work& work) {
   const std::size_t elements = countTetrahedra(mesh_);
-  NodeLists<ElementEdge> edges(countNodes(mesh_));  // at their lower nodes
+  NodeListPasses<EdgeUse> edges(countNodes(mesh_), elements, maxEdges_);
   work.beginPart(0.5);
-  co_await work.forEachId<TetId>(elements, [&](TetId element) {
-    measureElement(element);
-    const NodeQuad nodes = nodesOf(mesh_, element);
-    for (const TetEdge& edge : kTetEdges) edges.count(sortedNodes(nodes, edge).first);
+  co_await work.forEachBlock(elements, [&](std::size_t first, std::size_t last) {
+    mesh_.forEachElement(first, last, [&](TetId element, const ElementSource::Element& made) {
+      measureElement(element, made);
+      for (const TetEdge& edge : kTetEdges) edges.count(sortedNodes(made.nodes, edge).first);
+    });
   });
+  work.beginPart(1.0);
+  co_await measureEdges(work, edges);
+}
+
+Task<> QualityAnalysis::measureEdges(Work& work, NodeListPasses<EdgeUse>& edges) {
   edges.endCounting();
-  work.beginPart(0.7);
-  co_await work.forEachId<TetId>(elements, [&](TetId element) {
-    const NodeQuad nodes = nodesOf(mesh_, element);
-    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
-      edges.add(sortedNodes(nodes, kTetEdges[e]).first, {element, e});
-    }
-  });
   // Per node: the last lower node with which it shared an edge, or none.
   std::vector<NodeId> lastLowerNode(countNodes(mesh_));
-  work.beginPart(1.0);
-  co_await work.forEachId<NodeId>(countNodes(mesh_), [&](NodeId node) {
-    for (const ElementEdge& edge : edges.at(node)) {
-      const auto [lower, upper] = sortedNodes(nodesOf(mesh_, edge.element()), edge.corners());
-      if (lastLowerNode[upper.index()] == lower) continue;
-      lastLowerNode[upper.index()] = lower;
-      measureEdge(lower, upper, edge.element());
-    }
-  });
+  const double perPass = 1.0 / static_cast<double>(edges.passCount());
+  for (double done = 0.0; edges.beginPass(); done += perPass) {
+    work.beginPart(done + 0.4 * perPass);
+    co_await work.forEachId<FaceId>(edges.chunks().size(), [&](FaceId i) {
+      const std::uint32_t chunk = edges.chunks()[i.index()];
+      mesh_.forEachNodes(edges.firstOf(chunk), edges.lastOf(chunk),
+                         [&](TetId element, const NodeQuad& nodes) {
+                           for (const TetEdge& edge : kTetEdges) {
+                             const auto [lower, upper] = sortedNodes(nodes, edge);
+                             edges.add(chunk, lower, {upper, element});
+                           }
+                         });
+    });
+    work.beginPart(done + perPass);
+    co_await work.forEachId<NodeId>(edges.nodeCount(), [&](NodeId i) {
+      const NodeId lower(edges.firstNode() + i.index());
+      for (const EdgeUse& edge : edges.at(lower)) {
+        if (lastLowerNode[edge.upper.index()] == lower) continue;
+        lastLowerNode[edge.upper.index()] = lower;
+        measureEdge(lower, edge);
+      }
+    });
+  }
 }
 
 /// Finds out which of the elements out of range are limited by the boundary.
@@ -150,7 +150,7 @@ Task<> QualityAnalysis::findLimits(Work& work) {
   for (const Ranked& ranked : outOfRange_) {
     for (const NodeId node : nodesOf(mesh_, ranked.element)) isTested[node.index()] = 1;
   }
-  BoundaryLimits limits(mesh_.points);
+  BoundaryLimits limits(mesh_);
   work.beginPart(0.5);
   co_await work.forEachId<TriangleId>(countTriangles(surface_), [&](TriangleId triangle) {
     const NodeTriple nodes = nodesOf(surface_, triangle);
@@ -196,10 +196,10 @@ double QualityAnalysis::meanRaiseFactor(std::span<const NodeId> nodes) const {
   return sum / static_cast<double>(nodes.size());
 }
 
-std::array<Vec3, 4> QualityAnalysis::metricCorners(TetId element) const {
-  std::array<Vec3, 4> corners = cornersOf(mesh_, element);
+std::array<Vec3, 4> QualityAnalysis::metricCorners(const ElementSource::Element& element) const {
+  std::array<Vec3, 4> corners = element.corners;
   if (!isStretched_) return corners;
-  const ElementView view = viewOf(nodesOf(mesh_, element));
+  const ElementView view = viewOf(element.nodes);
   for (Vec3& corner : corners) corner = view(corner);
   return corners;
 }
@@ -242,15 +242,16 @@ void QualityAnalysis::measureShape(std::uint32_t region, const TetrahedronMeasur
   metricShapes_.smallestDihedral.push_back(static_cast<float>(degreesOf(measures.largestCosine)));
 }
 
-void QualityAnalysis::measureElement(TetId element) {
-  const TetrahedronMeasures plain = measureTetrahedron(cornersOf(mesh_, element));
+void QualityAnalysis::measureElement(TetId element, const ElementSource::Element& made) {
+  const TetrahedronMeasures plain = measureTetrahedron(made.corners);
   meter_.add(plain);
   const TetrahedronMeasures measures =
-      isStretched_ ? measureTetrahedron(metricCorners(element)) : plain;
-  RegionStatistics& region = statisticsOf(mesh_.regions[element.index()]);
+      isStretched_ ? measureTetrahedron(metricCorners(made)) : plain;
+  const std::uint32_t number = mesh_.regionOf(element);
+  RegionStatistics& region = statisticsOf(number);
   ++region.tetrahedra;
   region.volume += plain.volume;
-  measureShape(mesh_.regions[element.index()], measures);
+  measureShape(number, measures);
   if (element.index() == 0 || plain.volume < smallestVolume_) {
     smallestVolume_ = plain.volume;
     smallest_ = element;
@@ -266,10 +267,11 @@ void QualityAnalysis::measureElement(TetId element) {
   if (cost > 1.0) outOfRange_.push_back({cost, element});
 }
 
-/// `element`: one of the elements at the edge; the edge counts in its region.
-void QualityAnalysis::measureEdge(NodeId lower, NodeId upper, TetId element) {
+/// The edge counts in the region of this one of its elements.
+void QualityAnalysis::measureEdge(NodeId lower, const EdgeUse& edge) {
+  const auto [upper, element] = edge;
   const double length = relativeLength(lower, upper);
-  RegionStatistics& region = statisticsOf(mesh_.regions[element.index()]);
+  RegionStatistics& region = statisticsOf(mesh_.regionOf(element));
   ++region.edge[linearBin(length, kBinsPerEdge, kEdgeBins)];
   sumOfEdges_ += length;
   sumOfAchievable_ += length / meanRaiseFactor(std::array{lower, upper});
@@ -309,13 +311,14 @@ void QualityAnalysis::count(BoundaryLimit limit) {
 }
 
 ElementQuality QualityAnalysis::qualityOf(TetId element) const {
-  const TetrahedronMeasures measures = measureTetrahedron(metricCorners(element));
+  const ElementSource::Element made{nodesOf(mesh_, element), cornersOf(mesh_, element)};
+  const TetrahedronMeasures measures = measureTetrahedron(metricCorners(made));
   ElementQuality quality;
   quality.tetrahedron = element.value;
   quality.smallestDihedral = degreesOf(measures.largestCosine);
   quality.largestDihedral = degreesOf(measures.smallestCosine);
   quality.radiusRatio = measures.radiusRatio;
-  const auto [a, b, c, d] = cornersOf(mesh_, element);
+  const auto& [a, b, c, d] = made.corners;
   quality.centroid = (a + b + c + d) * 0.25;
   quality.volume = measureTetrahedron(a, b, c, d).volume;
   return quality;
@@ -337,7 +340,7 @@ void QualityAnalysis::finish() {
   }
   statistics_.worst = qualityOf(worst_);
   statistics_.worstLimited = qualityOf(worstLimited_);
-  if (mesh_.tetrahedra.empty()) return;
+  if (countTetrahedra(mesh_) == 0) return;
   statistics_.smallest = qualityOf(smallest_);
   statistics_.volumeRatio = smallestVolume_ > 0.0 ? largestVolume_ / smallestVolume_ : 0.0;
   statistics_.meanEdge = sumOfEdges_ / static_cast<double>(edgeCount_);

@@ -16,14 +16,17 @@
 #include "tetrafront/mesh.h"
 #include "tetrafront/quality_statistics.h"
 #include "tetrafront/status.h"
+#include "topology/mesh_view.h"
+#include "topology/node_list_passes.h"
 
 namespace tetrafront {
 
 class QualityAnalysis {
  public:
   /// `surface` has the triangles of the boundary and of interfaces; its nodes are the mesh's. All
-  /// must outlive this.
-  QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surface, const SizeField& field);
+  /// must outlive this. At most about `maxEdges` edges of elements are kept at a time.
+  QualityAnalysis(const MeshView& mesh, const SurfaceMesh& surface, const SizeField& field,
+                  std::size_t maxEdges = kMaxListed);
 
   /// Visits about `budget` elements or nodes; returns true when finished. O(n), about 0.5 µs per
   /// element.
@@ -38,19 +41,26 @@ class QualityAnalysis {
   [[nodiscard]] MetricShapes takeMetricShapes() { return std::move(metricShapes_); }
 
  private:
+  /// An edge of an element, listed at its lower node.
+  struct EdgeUse {
+    NodeId upper;
+    TetId element;
+  };
+
   Task<> analyse(Work& work);
   Task<> measureElements(Work& work);
   Task<> findLimits(Work& work);
   Task<> findReasons(Work& work);
 
   void querySize(NodeId node);
-  void measureElement(TetId element);
-  void measureEdge(NodeId lower, NodeId upper, TetId element);
+  void measureElement(TetId element, const ElementSource::Element& made);
+  Task<> measureEdges(Work& work, NodeListPasses<EdgeUse>& edges);
+  void measureEdge(NodeId lower, const EdgeUse& edge);
   void finish();
 
   /// Returns the corners in the element's metric space, the first in the origin; without stretching,
   /// the corners in space.
-  [[nodiscard]] std::array<Vec3, 4> metricCorners(TetId element) const;
+  [[nodiscard]] std::array<Vec3, 4> metricCorners(const ElementSource::Element& element) const;
   /// Returns the mean of raised size / target size over the nodes.
   [[nodiscard]] double meanRaiseFactor(std::span<const NodeId> nodes) const;
   [[nodiscard]] double relativeLength(NodeId a, NodeId b) const;
@@ -67,9 +77,10 @@ class QualityAnalysis {
   static void keepWorst(std::vector<Ranked>& worst, const Ranked& candidate);
   [[nodiscard]] std::vector<ElementQuality> qualityOf(const std::vector<Ranked>& worst) const;
 
-  const VolumeMesh& mesh_;
+  MeshView mesh_;
   const SurfaceMesh& surface_;
   const SizeField& field_;
+  std::size_t maxEdges_;
   bool isStretched_;
   FieldHint hint_;
   QualityMeter meter_;

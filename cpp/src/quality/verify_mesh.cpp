@@ -22,8 +22,7 @@ namespace {
 /// of them and also exceeds what rounding can cause, which is a much larger fraction for long and
 /// thin shapes.
 constexpr double kVolumeTolerance = 1e-10;
-/// Bound on the rounding error of the differences, products and sums of one term, with a margin for
-/// the sum of all terms.
+/// Bound on the rounding error of the differences and products of one term, with a margin. The sums are compensated.
 constexpr double kRoundingPerTerm = 16.0 * std::numeric_limits<double>::epsilon();
 
 double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -90,8 +89,12 @@ std::uint64_t MeshDefects::count() const {
          wrongRegions + wrongVolume;
 }
 
-MeshVerifier::MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface)
-    : mesh_(mesh), surface_(surface), job_([this](Work& work) { return verify(work); }) {}
+MeshVerifier::MeshVerifier(const MeshView& mesh, const SurfaceMesh& surface, std::size_t maxFaces)
+    : mesh_(mesh),
+      surface_(surface),
+      maxFaces_(maxFaces),
+      tetrahedra_(mesh.elementCount()),
+      job_([this](Work& work) { return verify(work); }) {}
 
 void MeshVerifier::report(std::uint64_t& count, Entity entity) {
   if (count == 0) defects_.examples.push_back(entity);
@@ -99,9 +102,7 @@ void MeshVerifier::report(std::uint64_t& count, Entity entity) {
 }
 
 /// Owners are tetrahedra, then triangles of the surface.
-std::size_t MeshVerifier::elementCount() const {
-  return std::size_t{countTetrahedra(mesh_)} + countTriangles(surface_);
-}
+std::size_t MeshVerifier::elementCount() const { return tetrahedra_ + countTriangles(surface_); }
 
 Task<> MeshVerifier::verify(Work& work) {
   work.beginPart(0.1);
@@ -115,8 +116,11 @@ Task<> MeshVerifier::verify(Work& work) {
   co_await findCoincidentNodes(work);
 
   work.beginPart(0.5);
-  co_await work.forEachId<TetId>(countTetrahedra(mesh_),
-                                 [this](TetId tet) { checkTetrahedron(tet); });
+  co_await work.forEachBlock(tetrahedra_, [this](std::size_t first, std::size_t last) {
+    mesh_.forEachElement(first, last, [this](TetId tet, const ElementSource::Element& element) {
+      checkTetrahedron(tet, element.corners);
+    });
+  });
 
   work.beginPart(1.0);
   co_await matchFaces(work);
@@ -128,8 +132,10 @@ Task<> MeshVerifier::findCoincidentNodes(Work& work) {
   const std::size_t nodes = countNodes(mesh_);
   std::vector<std::uint8_t> isUsed(nodes, 0);
   work.beginPart(0.25);
-  co_await work.forEachId<TetId>(countTetrahedra(mesh_), [&](TetId tet) {
-    for (const NodeId node : nodesOf(mesh_, tet)) isUsed[node.index()] = 1;
+  co_await work.forEachBlock(tetrahedra_, [&](std::size_t first, std::size_t last) {
+    mesh_.forEachNodes(first, last, [&](TetId /*tet*/, const NodeQuad& tet) {
+      for (const NodeId node : tet) isUsed[node.index()] = 1;
+    });
   });
   const auto bucketOf = [&](NodeId node) {
     return PositionBucketId(static_cast<std::size_t>(hashOf(pointOf(mesh_, node)) % nodes));
@@ -150,7 +156,7 @@ Task<> MeshVerifier::findCoincidentNodes(Work& work) {
 }
 
 Task<> MeshVerifier::matchFaces(Work& work) {
-  NodeLists<Face> faces(countNodes(mesh_));
+  NodeListPasses<Face> faces(countNodes(mesh_), elementCount(), maxFaces_);
   work.beginPart(0.3);
   co_await work.forEachBlock(elementCount(), [&](std::size_t first, std::size_t last) {
     forEachFace(first, last, [&](const SortedFace& face, std::uint32_t /*owner*/) {
@@ -158,16 +164,23 @@ Task<> MeshVerifier::matchFaces(Work& work) {
     });
   });
   faces.endCounting();
-  work.beginPart(0.6);
-  co_await work.forEachBlock(elementCount(), [&](std::size_t first, std::size_t last) {
-    forEachFace(first, last, [&](const SortedFace& face, std::uint32_t owner) {
-      const auto [lowest, middle, highest] = face.nodes;
-      faces.add(lowest, {middle, highest, owner << 1U | (face.isEven ? 1U : 0U)});
+  const double perPass = 0.7 / static_cast<double>(faces.passCount());
+  for (double done = 0.3; faces.beginPass(); done += perPass) {
+    work.beginPart(done + 0.4 * perPass);
+    co_await work.forEachId<FaceId>(faces.chunks().size(), [&](FaceId i) {
+      const std::uint32_t chunk = faces.chunks()[i.index()];
+      forEachFace(faces.firstOf(chunk), faces.lastOf(chunk),
+                  [&](const SortedFace& face, std::uint32_t owner) {
+                    const auto [lowest, middle, highest] = face.nodes;
+                    faces.add(chunk, lowest,
+                              {middle, highest, owner << 1U | (face.isEven ? 1U : 0U)});
+                  });
     });
-  });
-  work.beginPart(1.0);
-  co_await work.forEachId<NodeId>(countNodes(mesh_),
-                                  [&](NodeId node) { matchFacesOf(faces.at(node)); });
+    work.beginPart(done + perPass);
+    co_await work.forEachId<NodeId>(faces.nodeCount(), [&](NodeId i) {
+      matchFacesOf(faces.at(NodeId(faces.firstNode() + i.index())));
+    });
+  }
 }
 
 /// Checks the numbers of nodes, surface nodes, tetrahedra and triangles in [first, last).
@@ -182,14 +195,21 @@ void MeshVerifier::checkNumbers(std::size_t first, std::size_t last) {
       report(defects_.invalidNumbers, {kind, static_cast<std::uint32_t>(i / perItem)});
     }
   };
-  check(mesh_.points, 3, EntityKind::kNode, [](double x) { return !std::isfinite(x); });
-  check(mesh_.tetrahedra, 4, EntityKind::kTetrahedron,
-        [&](std::uint32_t node) { return node >= nodes; });
+  for (std::size_t i = first; i < std::min<std::size_t>(last, nodes); ++i) {
+    const Vec3 p = pointOf(mesh_, NodeId(i));
+    const bool isFinite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    if (!isFinite) report(defects_.invalidNumbers, NodeId(i));
+  }
+  mesh_.forEachNodes(std::min(first, tetrahedra_), std::min(last, tetrahedra_),
+                     [&](TetId tet, const NodeQuad& own) {
+                       for (const NodeId node : own) {
+                         if (node.value >= nodes) report(defects_.invalidNumbers, tet);
+                       }
+                     });
   check(surface_.triangles, 3, EntityKind::kTriangle,
         [&](std::uint32_t node) { return node >= surfaceNodes; });
-  const std::size_t required = surface_.triangleRegions.empty() ? 0 : countTetrahedra(mesh_);
-  if (first == 0 && mesh_.regions.size() < required) {
-    report(defects_.invalidNumbers, TetId(mesh_.regions.size()));
+  if (first == 0 && !surface_.triangleRegions.empty() && !mesh_.hasRegions()) {
+    report(defects_.invalidNumbers, TetId(std::size_t{0}));
   }
   checkKept(first, last);
 }
@@ -215,24 +235,23 @@ void MeshVerifier::comparePositions(std::span<NodeId> nodes) {
   }
 }
 
-void MeshVerifier::checkTetrahedron(TetId tet) {
-  const auto [a, b, c, d] = cornersOf(mesh_, tet);
+void MeshVerifier::checkTetrahedron(TetId tet, const std::array<Vec3, 4>& corners) {
+  const auto& [a, b, c, d] = corners;
   if (orient3d(a, b, c, d) <= 0) report(defects_.invertedTetrahedra, tet);
-  defects_.meshVolume += sixVolumes(b - a, c - a, d - a) / 6.0;
+  volume_.add(sixVolumes(b - a, c - a, d - a) / 6.0);
 }
 
 /// Calls use(face, owner) for the faces of elements in [first, last).
 template <class Use>
 void MeshVerifier::forEachFace(std::size_t first, std::size_t last, Use use) const {
-  const std::size_t tetrahedra = countTetrahedra(mesh_);
-  for (std::size_t e = first; e < std::min(last, tetrahedra); ++e) {
-    const NodeQuad nodes = nodesOf(mesh_, TetId(e));
-    for (const auto& [a, b, c] : kFaceCorners) {
-      use(sortedFace({nodes[a], nodes[b], nodes[c]}), static_cast<std::uint32_t>(e));
-    }
-  }
-  for (std::size_t e = std::max(first, tetrahedra); e < last; ++e) {
-    use(sortedFace(nodesOf(surface_, TriangleId(e - tetrahedra))), static_cast<std::uint32_t>(e));
+  mesh_.forEachNodes(std::min(first, tetrahedra_), std::min(last, tetrahedra_),
+                     [&](TetId tet, const NodeQuad& nodes) {
+                       for (const auto& [a, b, c] : kFaceCorners) {
+                         use(sortedFace({nodes[a], nodes[b], nodes[c]}), tet.value);
+                       }
+                     });
+  for (std::size_t e = std::max(first, tetrahedra_); e < last; ++e) {
+    use(sortedFace(nodesOf(surface_, TriangleId(e - tetrahedra_))), static_cast<std::uint32_t>(e));
   }
 }
 
@@ -254,12 +273,10 @@ void MeshVerifier::matchFacesOf(std::span<Face> faces) {
   }
 }
 
-bool MeshVerifier::isTetrahedron(const Face& face) const {
-  return face.owner() < countTetrahedra(mesh_);
-}
+bool MeshVerifier::isTetrahedron(const Face& face) const { return face.owner() < tetrahedra_; }
 
 TriangleId MeshVerifier::triangleOf(const Face& face) const {
-  return TriangleId(face.owner() - countTetrahedra(mesh_));
+  return TriangleId(face.owner() - tetrahedra_);
 }
 
 /// Checks the owners of one face. Tetrahedra sort before triangles.
@@ -291,7 +308,7 @@ void MeshVerifier::matchOwners(std::span<const Face> owners) {
 /// Checks that regions end only at triangles of the surface.
 void MeshVerifier::matchInnerRegions(const Face& one, const Face& other) {
   if (surface_.triangleRegions.empty()) return;
-  if (mesh_.regions[one.owner()] == mesh_.regions[other.owner()]) return;
+  if (mesh_.regionOf(TetId(one.owner())) == mesh_.regionOf(TetId(other.owner()))) return;
   report(defects_.wrongRegions, TetId(one.owner()));
 }
 
@@ -299,7 +316,7 @@ void MeshVerifier::matchRegion(const Face& tetrahedron, const Face& triangle) {
   if (surface_.triangleRegions.empty()) return;
   const std::size_t front = tetrahedron.isEven() != triangle.isEven() ? 1 : 0;
   const std::uint32_t region = surface_.triangleRegions[2 * triangleOf(triangle).index() + front];
-  if (mesh_.regions[tetrahedron.owner()] == region) return;
+  if (mesh_.regionOf(TetId(tetrahedron.owner())) == region) return;
   report(defects_.wrongRegions, TetId(tetrahedron.owner()));
 }
 
@@ -321,11 +338,14 @@ void MeshVerifier::findDuplicateTetrahedra() {
 }
 
 void MeshVerifier::compareVolumes() {
+  defects_.meshVolume = volume_.value();
+  CompensatedSum enclosed;
   for (const TriangleId triangle : IdRange<TriangleId>(countTriangles(surface_))) {
     if (surface_.isInterface(triangle.index())) continue;
     const Spanned spanned = spannedBy(surface_, originOf(surface_), triangle);
-    defects_.surfaceVolume += sixVolumes(spanned.toTriangle, spanned.first, spanned.second) / 6.0;
+    enclosed.add(sixVolumes(spanned.toTriangle, spanned.first, spanned.second) / 6.0);
   }
+  defects_.surfaceVolume = enclosed.value();
   const double difference = std::fabs(defects_.meshVolume - defects_.surfaceVolume);
   const double tolerance = kVolumeTolerance * std::fabs(defects_.surfaceVolume);
   if (difference <= tolerance) return;
@@ -338,10 +358,10 @@ double MeshVerifier::volumeRounding() const {
   const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     products += std::sqrt(glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c));
   };
-  for (const TetId tet : IdRange<TetId>(countTetrahedra(mesh_))) {
-    const auto [a, b, c, d] = cornersOf(mesh_, tet);
+  mesh_.forEachElement(0, tetrahedra_, [&](TetId /*tet*/, const ElementSource::Element& element) {
+    const auto& [a, b, c, d] = element.corners;
     add(b - a, c - a, d - a);
-  }
+  });
   for (const TriangleId triangle : IdRange<TriangleId>(countTriangles(surface_))) {
     const Spanned spanned = spannedBy(surface_, originOf(surface_), triangle);
     add(spanned.toTriangle, spanned.first, spanned.second);
@@ -349,7 +369,7 @@ double MeshVerifier::volumeRounding() const {
   return kRoundingPerTerm * products / 6.0;
 }
 
-MeshDefects verifyMesh(const VolumeMesh& mesh, const SurfaceMesh& surface) {
+MeshDefects verifyMesh(const MeshView& mesh, const SurfaceMesh& surface) {
   MeshVerifier verifier(mesh, surface);
   finish(verifier);
   return verifier.defects();

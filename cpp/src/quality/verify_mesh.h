@@ -4,14 +4,19 @@
 /// matched by sorting, and the boundary is compared with the given surface. Together the checks
 /// prove that the tetrahedra fill the region exactly once and keep its boundary.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/compensated_sum.h"
 #include "base/ids.h"
 #include "base/task.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
+#include "topology/mesh_view.h"
+#include "topology/node_list_passes.h"
 
 namespace tetrafront {
 
@@ -44,9 +49,9 @@ struct MeshDefects {
 /// Verifies a mesh in slices. O(n log k) for n tetrahedra with k at a node; about 0.3 µs each.
 class MeshVerifier {
  public:
-  /// `surface` is the oriented boundary; its nodes are the first of the mesh. Both must outlive
-  /// this.
-  MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface);
+  /// `surface` is the oriented boundary; its nodes are the first of the mesh. Both must outlive this. At most about `maxFaces` faces are
+  /// kept at a time; the others have to wait for a later pass over their elements.
+  MeshVerifier(const MeshView& mesh, const SurfaceMesh& surface, std::size_t maxFaces = kMaxListed);
 
   /// Visits about `budget` tetrahedra; returns true when finished.
   bool advance(std::uint32_t budget) { return job_.advance(budget); }
@@ -76,7 +81,7 @@ class MeshVerifier {
   void checkNumbers(std::size_t first, std::size_t last);
   void checkKept(std::size_t first, std::size_t last);
   void comparePositions(std::span<NodeId> nodes);
-  void checkTetrahedron(TetId tet);
+  void checkTetrahedron(TetId tet, const std::array<Vec3, 4>& corners);
   void matchFacesOf(std::span<Face> faces);
   void matchOwners(std::span<const Face> owners);
   void matchInnerRegions(const Face& one, const Face& other);
@@ -98,14 +103,17 @@ class MeshVerifier {
   void forEachFace(std::size_t first, std::size_t last, Use use) const;
   [[nodiscard]] std::size_t elementCount() const;
 
-  const VolumeMesh& mesh_;
+  MeshView mesh_;
   const SurfaceMesh& surface_;
+  std::size_t maxFaces_;
+  std::size_t tetrahedra_;  ///< number of them
   MeshDefects defects_;
+  CompensatedSum volume_;        ///< of the tetrahedra
   std::vector<TetId> suspects_;  ///< tetrahedra at faces that do not match
   Job<> job_;                    ///< last, because it uses the other members
 };
 
 /// Verifies a mesh in one call.
-[[nodiscard]] MeshDefects verifyMesh(const VolumeMesh& mesh, const SurfaceMesh& surface);
+[[nodiscard]] MeshDefects verifyMesh(const MeshView& mesh, const SurfaceMesh& surface);
 
 }  // namespace tetrafront

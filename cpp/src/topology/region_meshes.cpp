@@ -11,36 +11,36 @@ Nodes named(Nodes nodes, const NodeNames& names) {
   return nodes;
 }
 
-/// Returns the mesh of a region with its core.
-TetMesh whole(RegionMesh part) {
-  const MeshCore& core = part.core;
-  TetMesh mesh = std::move(part.mesh);
-  const auto firstOwn = static_cast<std::uint32_t>(mesh.points.size());
-  const auto firstShared = static_cast<std::uint32_t>(part.boundaryNodes);
-  mesh.points.insert(mesh.points.end(), core.points.begin(), core.points.end());
-  mesh.regions.resize(mesh.regions.size() + core.tetrahedra.size(), core.region);
-  mesh.tetrahedra.reserve(mesh.regions.size());
-  for (NodeQuad nodes : core.tetrahedra) {
-    for (NodeId& node : nodes) {
-      node = NodeId(node.value < core.shared ? firstShared + node.value
-                                             : firstOwn + (node.value - core.shared));
-    }
-    mesh.tetrahedra.push_back(nodes);
-  }
-  return mesh;
+/// The meshes joined so far.
+struct Joined {
+  TetMesh mesh;  ///< without cores, with the node ids of the whole
+  std::vector<MeshPart> cores;
+  std::uint32_t nodes = 0;     ///< cores included
+  std::uint32_t elements = 0;  ///< the same
+};
+
+/// Adds the core of a region, whose mesh was the last one added. `firstShared`: where its shared nodes are.
+void addCore(Joined& all, const RegionMesh& part, std::uint32_t firstShared) {
+  if (part.coreCount() == 0) return;
+  all.cores.push_back({part.core, firstShared, all.nodes, all.elements, part.coreRegion});
+  all.nodes += part.core->nodeCount();
+  all.elements += part.core->elementCount();
 }
 
-void append(TetMesh& mesh, RegionMesh part) {
-  const std::vector<std::uint32_t> nodeOf = std::move(part.nodeOf);
-  const NodeNames names{nodeOf, static_cast<std::uint32_t>(mesh.points.size())};
-  const std::size_t boundaryNodes = part.boundaryNodes;
-  const TetMesh own = whole(std::move(part));
+void append(Joined& all, const RegionMesh& part) {
+  const TetMesh& own = part.mesh;
+  TetMesh& mesh = all.mesh;
+  const NodeNames names{part.nodeOf, all.nodes};
   mesh.points.insert(mesh.points.end(),
-                     own.points.begin() + static_cast<std::ptrdiff_t>(boundaryNodes),
+                     own.points.begin() + static_cast<std::ptrdiff_t>(part.boundaryNodes),
                      own.points.end());
   mesh.regions.insert(mesh.regions.end(), own.regions.begin(), own.regions.end());
   for (const NodeQuad& nodes : own.tetrahedra) mesh.tetrahedra.push_back(named(nodes, names));
   for (const NodeTriple& nodes : own.front) mesh.front.push_back(named(nodes, names));
+  const std::uint32_t firstShared = all.nodes;
+  all.nodes += static_cast<std::uint32_t>(own.points.size() - part.boundaryNodes);
+  all.elements += static_cast<std::uint32_t>(own.tetrahedra.size());
+  addCore(all, part, firstShared);
 }
 
 }  // namespace
@@ -63,16 +63,22 @@ std::size_t RegionMeshes::frontFaceCount() const {
   return count;
 }
 
-VolumeMesh joined(RegionMeshes meshes) {
-  TetMesh mesh;
+PartedMesh joined(RegionMeshes meshes) {
+  Joined all;
   if (meshes.regions.size() == 1 && meshes.regions.front().nodeOf.empty()) {
-    mesh = whole(std::move(meshes.regions.front()));
+    RegionMesh& only = meshes.regions.front();
+    all.mesh = std::move(only.mesh);
+    all.nodes = static_cast<std::uint32_t>(all.mesh.points.size());
+    all.elements = static_cast<std::uint32_t>(all.mesh.tetrahedra.size());
+    addCore(all, only, static_cast<std::uint32_t>(only.boundaryNodes));
   } else if (!meshes.regions.empty()) {
-    mesh.points = std::move(meshes.boundary);
-    for (RegionMesh& region : meshes.regions) append(mesh, std::exchange(region, {}));
+    all.mesh.points = std::move(meshes.boundary);
+    all.nodes = static_cast<std::uint32_t>(all.mesh.points.size());
+    for (RegionMesh& region : meshes.regions) append(all, std::exchange(region, {}));
   }
-  mesh.front.insert(mesh.front.end(), meshes.waiting.begin(), meshes.waiting.end());
-  return toVolumeMesh(std::move(mesh));
+  std::vector<NodeTriple>& front = all.mesh.front;
+  front.insert(front.end(), meshes.waiting.begin(), meshes.waiting.end());
+  return {toVolumeMesh(std::move(all.mesh)), std::move(all.cores)};
 }
 
 }  // namespace tetrafront

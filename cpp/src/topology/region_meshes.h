@@ -5,12 +5,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/ids.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/element_source.h"
+#include "topology/mesh_view.h"
 #include "topology/tet_mesh.h"
 
 namespace tetrafront {
@@ -27,28 +30,23 @@ struct NodeNames {
   }
 };
 
-/// Elements that nothing changes any more, and that no stage therefore visits.
-struct MeshCore {
-  std::vector<Vec3> points;          ///< nodes that only elements of the core have
-  std::vector<NodeQuad> tetrahedra;  ///< of the nodes of `shared`, and then of `points`
-  std::uint32_t shared =
-      0;  ///< nodes common to the other elements, which have them after those of the boundary
-  std::uint32_t region = 0;
-};
-
 struct RegionMesh {
   TetMesh
       mesh;  ///< the nodes of the region's boundary come first, then those that it shares with the core
   /// Per node of the region's boundary: its index in the whole boundary, ascending; empty if there is one region.
   std::vector<std::uint32_t> nodeOf;
   std::size_t boundaryNodes = 0;  ///< number of nodes of the region's boundary
-  MeshCore core;
+  /// Elements that nothing changes any more, so that no stage visits them; null without any. They share the nodes after those of
+  /// the boundary.
+  std::shared_ptr<const ElementSource> core;
+  std::uint32_t coreRegion = 0;
 
+  [[nodiscard]] std::size_t coreCount() const { return core ? core->elementCount() : 0; }
   [[nodiscard]] std::size_t innerNodeCount() const {
-    return mesh.points.size() - boundaryNodes + core.points.size();
+    return mesh.points.size() - boundaryNodes + (core ? core->nodeCount() : 0);
   }
   [[nodiscard]] std::size_t tetrahedronCount() const {
-    return mesh.tetrahedra.size() + core.tetrahedra.size();
+    return mesh.tetrahedra.size() + coreCount();
   }
 };
 
@@ -63,7 +61,7 @@ struct RegionMeshes {
   [[nodiscard]] std::size_t frontFaceCount() const;
 };
 
-/// Joins the meshes: first the nodes of the boundary, then those inside each region. O(n).
-[[nodiscard]] VolumeMesh joined(RegionMeshes meshes);
+/// Joins the meshes: first the nodes of the boundary, then those inside each region, those of its core last. O(n), cores left out.
+[[nodiscard]] PartedMesh joined(RegionMeshes meshes);
 
 }  // namespace tetrafront

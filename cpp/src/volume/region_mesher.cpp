@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "sizing/memory_limit.h"
 #include "topology/surface_access.h"
 #include "volume/stall_diagnostic.h"
 
@@ -70,7 +71,7 @@ RegionMesh withLattice(RegionMesh whole, const LatticeInterior& lattice, std::ui
 
   const std::size_t firstInRim = mesh.points.size();
   mesh.points.insert(mesh.points.end(), lattice.points.begin() + lattice.firstInRim(),
-                     lattice.points.begin() + lattice.firstInCore());
+                     lattice.points.end());
   for (NodeQuad nodes : lattice.rim) {
     for (NodeId& node : nodes) {
       node = NodeId(node.value < lattice.firstInRim()
@@ -82,17 +83,8 @@ RegionMesh withLattice(RegionMesh whole, const LatticeInterior& lattice, std::ui
   mesh.regions.resize(mesh.tetrahedra.size(), region);
   mesh.isFixed = firstFixed(boundary + lattice.fixed, mesh.points.size());
 
-  MeshCore& core = whole.core;
-  core.points.assign(lattice.points.begin() + lattice.firstInCore(), lattice.points.end());
-  core.tetrahedra = lattice.core;
-  for (NodeQuad& nodes : core.tetrahedra) {
-    for (NodeId& node : nodes) {
-      if (node.value < lattice.fixed) continue;
-      node = NodeId(node.value - (lattice.firstInCore() - lattice.fixed));
-    }
-  }
-  core.shared = lattice.fixed;
-  core.region = region;
+  whole.core = lattice.core;
+  whole.coreRegion = region;
   return whole;
 }
 
@@ -168,9 +160,10 @@ Task<> RegionMesher::makeLattice(Work& work) {
 /// Begins the front of a region, between its boundary and its lattice.
 void RegionMesher::beginFront() {
   MeshOptions options = options_;
-  options.maxTetrahedra -= std::min(
-      options.maxTetrahedra,
-      static_cast<std::uint32_t>(filled_.tetrahedronCount() + lattice_.tetrahedronCount()));
+  const std::size_t others = filled_.tetrahedronCount() + lattice_.tetrahedronCount();
+  options.maxTetrahedra -= std::min(options.maxTetrahedra, static_cast<std::uint32_t>(others));
+  options.maxTetrahedra =
+      std::min(options.maxTetrahedra, frontElementsBeside(kAddressableBytes, others));
   const NodeNames names{isOne() ? std::span<const std::uint32_t>() : regionBoundary_.nodeOf,
                         static_cast<std::uint32_t>(boundaryNodes())};
   current_.reset();
@@ -202,7 +195,8 @@ RegionMesh RegionMesher::regionOf(TetMesh mesh) const {
   return {.mesh = std::move(mesh),
           .nodeOf = regionBoundary_.nodeOf,
           .boundaryNodes = ownBoundaryNodes(),
-          .core = {}};
+          .core = {},
+          .coreRegion = 0};
 }
 
 void RegionMesher::endRegion() {
@@ -266,7 +260,7 @@ std::vector<Diagnostic> RegionMesher::diagnostics() const {
 }
 
 std::uint32_t RegionMesher::nodeCount() const {
-  const std::size_t known = filled_.nodeCount() + lattice_.points.size() - lattice_.onHull;
+  const std::size_t known = filled_.nodeCount() + lattice_.nodeCount() - lattice_.onHull;
   if (!current_) return static_cast<std::uint32_t>(known);
   return static_cast<std::uint32_t>(known - ownBoundaryNodes()) + current_->nodeCount();
 }

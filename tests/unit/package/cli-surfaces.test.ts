@@ -72,14 +72,14 @@ describe("--surface refine", () => {
       "--surface",
       "refine",
       "--size",
-      "0.01",
+      "0.004",
       "--report",
       "r.json",
     ];
     const { code, stderr } = await tetrafront(folder.path, args);
     expect(code).toBe(2);
-    // The surface alone, half a million triangles, would be below the limit; splitting it takes many seconds.
-    expect(stderr).toMatch(/about 509\d{5} tetrahedra; the limit is 20000000.*1\.4 times as large/);
+    // The surface alone, three million triangles, would be below the limit; splitting it takes many seconds.
+    expect(stderr).toMatch(/about 79\d{7} tetrahedra; the limit is \d{9}.*1\.\d times as large/);
     expect(stderr).not.toMatch(/refined:/);
   });
 

@@ -32,7 +32,8 @@ export async function elementsReached<Made extends MeshResult>(
   control: RunControl,
 ): Promise<Made> {
   const { elements, expected, run } = target;
-  const { onTrace, experiment, ...untraced } = control;
+  // Several meshes are compared, so none stays in the engine.
+  const { onTrace, experiment, inBlocks: _, ...untraced } = control;
   const whole = new WholeProgress(untraced);
   let meshNumber = 0;
   let failure: unknown;

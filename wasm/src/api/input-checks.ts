@@ -38,6 +38,7 @@ const controlSchema = v.object({
   onTrace: listener,
   onBody: listener,
   partial: v.optional(v.boolean()),
+  inBlocks: v.optional(v.boolean()),
 });
 
 export function checkControl(control: RunControl): Diagnostic[] {

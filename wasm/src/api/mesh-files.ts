@@ -10,6 +10,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
+import type { BlockedMesh, BlockWriter } from "../formats/blocks.js";
 import { type ByteSource, checkSource, watcher } from "../formats/byte-source.js";
 import { joined, type Part, piecesIn } from "../formats/bytes.js";
 import type {
@@ -31,6 +32,7 @@ import { surfaceOf } from "../formats/surface-file.js";
 import { inUnits, lengthInFile, type LengthOptions } from "../formats/units.js";
 import { volumeOf } from "../formats/volume-file.js";
 import { MAX_LENGTH, MIN_LENGTH } from "../generated/constants.js";
+import type { ElementBlocks } from "../mesh/element-blocks.js";
 import type { Mesh, ElementOrder } from "../mesh/mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
 import { LENGTH_UNITS } from "../mesh/units.js";
@@ -73,6 +75,11 @@ export interface WriteFileOptions {
    * the mesh has it, else halfway. Only formats with `hasSecondOrder` (see `FILE_FORMATS`) store them. Default 1.
    */
   readonly elementOrder?: ElementOrder | undefined;
+  /**
+   * Elements of the mesh that are handed out in blocks, of the result of a run with `inBlocks`: they are read while the file is
+   * written, so that it may be larger than the memory. For VTU and MSH 4.1, of order 1.
+   */
+  readonly blocks?: ElementBlocks | undefined;
   /** Called every few milliseconds, and at the end. */
   readonly onProgress?: ((progress: WriteProgress) => void) | undefined;
   /** Aborting it rejects with a `MesherError` of code `cancelled`, within a few milliseconds. */
@@ -166,7 +173,13 @@ export async function streamedMesh(
     refuse([packageDiagnostic("unknown-format", message, remedy)]);
     return { files: [], notes: [] };
   }
-  const { elementOrder = 1 } = options;
+  const { elementOrder = 1, blocks } = options;
+  if (blocks !== undefined) {
+    const code = await format?.load();
+    if (code?.writeBlocks === undefined || elementOrder === 2) refuse([noBlocks(fileName)]);
+    refuse(await inSteps(checkFileMesh(mesh), signal));
+    return streamedBlocks(code?.writeBlocks, { mesh, blocks }, fileName, options, createSpool);
+  }
   if (elementOrder === 2 && format !== undefined) refuseLinear(format);
   refuse(await inSteps(checkFileMesh(mesh), signal));
   const written = elementOrder === 2 ? await inSteps(withMidNodes(mesh), signal) : mesh;
@@ -176,6 +189,56 @@ export async function streamedMesh(
   const rows = (written.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
   const files = write(written, fileName, note, createSpool);
   return { files: streamed(files, options, (passes * rows) / STEP), notes };
+}
+
+function noBlocks(fileName: string): Diagnostic {
+  const known = FILE_FORMATS.filter(({ id }) => ["vtu", "gmsh"].includes(id)).flatMap(
+    ({ extensions }) => extensions,
+  );
+  const message = `${shown(fileName)} cannot be written from blocks of elements`;
+  const remedy = `Use a name that ends in one of ${known.join(", ")}, and the order 1; or mesh without inBlocks.`;
+  return invalidOption("blocks", message, remedy);
+}
+
+/** As `streamed`, of elements that are read while the file is written. */
+function streamedBlocks(
+  write: BlockWriter | undefined,
+  mesh: BlockedMesh,
+  fileName: string,
+  { signal, onProgress }: WriteFileOptions,
+  createSpool: () => Spool,
+): StreamedMesh {
+  const notes: Diagnostic[] = [];
+  const note = (message: string) => notes.push(packageDiagnostic("left-out", message, "", "information"));
+  const { blocks } = mesh;
+  const total = blocks.nodes + blocks.tetrahedra;
+  let [read, bytes] = [0, 0];
+  /** Most of the work follows from what is read; files come late or early. */
+  const watched =
+    <Values>(readBlock: (first: number, count: number) => Promise<Values>) =>
+    (first: number, count: number) => {
+      throwIfCancelled(signal);
+      read += count;
+      onProgress?.({ fraction: Math.min(MAX_ESTIMATE, read / total), bytes });
+      return readBlock(first, count);
+    };
+  const own = {
+    ...blocks,
+    readPoints: watched(blocks.readPoints),
+    readTetrahedra: watched(blocks.readTetrahedra),
+  };
+  const pieces = async function* (): AsyncGenerator<Uint8Array, void> {
+    const yielder = new Yielder(signal);
+    for await (const part of write?.({ ...mesh, blocks: own }, note, createSpool) ?? []) {
+      for (const piece of piecesIn([part])) {
+        bytes += piece.length;
+        for (let at = 0; at < piece.length; at += PIECE_BYTES) yield piece.subarray(at, at + PIECE_BYTES);
+        if (yielder.isDue) await yielder.yield();
+      }
+    }
+    onProgress?.({ fraction: 1, bytes });
+  };
+  return { files: [{ fileName, pieces: pieces() }], notes };
 }
 
 /** Rejects a format that stores linear elements only. */
@@ -262,7 +325,7 @@ async function readAny(
 }
 
 const WATCH_OPTIONS = ["onProgress", "signal"] as const;
-const WRITE_OPTIONS = [...WATCH_OPTIONS, "elementOrder"] satisfies (keyof WriteFileOptions)[];
+const WRITE_OPTIONS = [...WATCH_OPTIONS, "elementOrder", "blocks"] satisfies (keyof WriteFileOptions)[];
 const READ_OPTIONS = [
   "fileName",
   "size",
@@ -296,7 +359,16 @@ const readOptions = v.object({
   fileUnits: unit,
   ...watch,
 });
-const writeOptions = v.object({ ...watch, elementOrder: v.optional(v.picklist([1, 2])) });
+const blocks = v.optional(
+  v.object({
+    nodes: v.number(),
+    tetrahedra: v.number(),
+    regionRuns: v.array(v.object({ region: v.number(), count: v.number() })),
+    readPoints: v.function(),
+    readTetrahedra: v.function(),
+  }),
+);
+const writeOptions = v.object({ ...watch, elementOrder: v.optional(v.picklist([1, 2])), blocks });
 
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};

@@ -253,7 +253,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     order: FRONT_ORDER_NUMBERS[chosen.order],
     optimization: OPTIMIZATION_NUMBERS[chosen.optimization],
     interior: INTERIOR_NUMBERS[chosen.interior],
-    maxTetrahedra: MESH_DEFAULTS.maxTetrahedra,
+    maxTetrahedra: LIMITS.tetrahedra,
   };
 }
 

@@ -19,6 +19,7 @@ import { checkOptions, engineOptions } from "./mesh-options.js";
 import { ballOf, longestEdge, scaledKeptOptions, withBall } from "./scaled-sizes.js";
 import { describedResult, emptyResult } from "./report.js";
 import { meshedRegionsOf, surfaceNamer } from "./surface-numbers.js";
+import { elementBlocks } from "./element-blocks.js";
 import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /** Loaded when a number of elements is asked for. */
@@ -50,6 +51,7 @@ export class MeshRuns {
       showUnoptimized: control.onUnoptimized !== undefined,
       recordTrace: control.onTrace && { ...control.experiment },
       threads: options.threads,
+      inBlocks: control.inBlocks === true,
       model,
       bodies,
       grid,
@@ -90,6 +92,7 @@ export class MeshRuns {
       showUnoptimized: control.onUnoptimized !== undefined,
       recordTrace: control.onTrace && { ...control.experiment },
       threads: options.threads,
+      inBlocks: control.inBlocks === true,
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
       regions: meshedRegionsOf(surface),
@@ -117,6 +120,8 @@ export class MeshRuns {
     });
     return "cancelledAfterSeconds" in result
       ? emptyResult("cancelled", [], result.cancelledAfterSeconds)
-      : describedResult(result, names, nameFor(result));
+      : describedResult(result, names, nameFor(result), (indices) =>
+          elementBlocks(this.#client, request.id, result, indices),
+        );
   }
 }

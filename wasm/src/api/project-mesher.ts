@@ -21,7 +21,7 @@ import { beginCall } from "./call-checks.js";
 import type { FinerPart } from "./element-count.js";
 import { checkProject } from "./input-checks.js";
 import type { Mesher, ProjectCheck } from "./mesher-interface.js";
-import { inOrder } from "./second-order-mesh.js";
+import { inOneOrder, inOrder } from "./second-order-mesh.js";
 import { checkedRun, refused, settledRun } from "./project-run.js";
 import { ballOf, largestSize, pointsOf, scaledMeshOptions, scaledProject, withBall } from "./scaled-sizes.js";
 import { sampleSizes } from "./size-samples.js";
@@ -54,7 +54,8 @@ export class ProjectMesher {
     this.#parts = parts;
   }
 
-  async mesh(project: Project, options: ProjectMeshOptions, control: RunControl): Promise<MeshResult> {
+  async mesh(project: Project, options: ProjectMeshOptions, asked: RunControl): Promise<MeshResult> {
+    const control = inOneOrder(asked, options);
     const early = this.#parts.runs.endedEarly(control);
     if (early !== undefined) return early;
     const { settled, known, elements, errors } = settledRun(project, options);

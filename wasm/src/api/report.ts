@@ -12,6 +12,7 @@ import type { EngineResult } from "../engine/protocol.js";
 import type { RegionStatistics } from "../engine/region-statistics.js";
 import { NO_QUALITY, withRegions } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
+import type { ElementBlocks } from "../mesh/element-blocks.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { MeshReport, MeshResult, MeshStatus, RegionSummary } from "../mesh/report.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
@@ -22,13 +23,20 @@ import { noVolume } from "../formats/boundary.js";
 import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
-export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
+export function describedResult(
+  result: EngineResult,
+  names: NameSource,
+  name: EntityNamer,
+  blocksOf: (indices: readonly number[]) => ElementBlocks | undefined,
+): MeshResult {
   const { status, surface, volume, metricShapes, statistics, regionStatistics } = result;
   const { hasFoundNothingBetter, recording } = result;
   const { mesh, indices } = namedMesh(result, names, regionStatistics.length);
   const quality = withRegions(statistics.quality, indices);
+  const blocks = blocksOf(indices);
   return {
     mesh,
+    ...(blocks && { blocks }),
     surfaceNodes: surface.points.length / 3,
     front: volume.front,
     sides: surface.sides,

@@ -52,6 +52,10 @@ export async function curveMesh(
   };
 }
 
+/** Returns the control of a run: elements of the second order need the arrays of the first. */
+export const inOneOrder = (control: RunControl, { elementOrder }: OrderOptions): RunControl =>
+  elementOrder === 2 ? { ...control, inBlocks: false } : control;
+
 /**
  * Returns the result of a run for elements of an order: of order 2 with curved edges, and with their quality in its report. They
  * follow `trueEdges` of the mesh; without those, the surface consists of triangles, whose edges stay straight. A mesh that is not

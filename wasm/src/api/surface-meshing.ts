@@ -43,7 +43,7 @@ import { isVisiblyChanged } from "./visible-change.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { completeSurface } from "./carried-mesh.js";
-import { inOrder } from "./second-order-mesh.js";
+import { inOneOrder, inOrder } from "./second-order-mesh.js";
 import { hasNamedPatches } from "./generated-mesh.js";
 import { withInterfacePatches } from "./interface-patches.js";
 import { WholeProgress } from "./whole-progress.js";
@@ -457,7 +457,7 @@ export async function meshedSurface(
   const wrong = [...checkSurface(surface), ...checkSurfaceMeshOptions(options)];
   if (wrong.length > 0) return unmeshed(emptyResult("invalid-input", wrong));
   const given = completeSurface(surface);
-  const whole = new WholeProgress(control);
+  const whole = new WholeProgress(inOneOrder(control, options));
   const found: Diagnostic[] = [];
   try {
     const checked = withControl(mesher, () => whole.controlOf("check"));

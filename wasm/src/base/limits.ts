@@ -31,6 +31,8 @@ export const LIMITS = {
    * million.
    */
   maxDiagnostics: 1_000_000,
+  /** Number of tetrahedra of a run; the memory of the engine, 4 GB, is usually less. Their edges are counted in 32 bits. */
+  tetrahedra: 500_000_000,
   /** Number of threads that optimize a mesh. */
   threads: 64,
   /** Number of characters of an expression in a project. */

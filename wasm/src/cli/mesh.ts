@@ -21,10 +21,11 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/project-types.js";
 import { asTypedDiagnostic, inCommandLineWords } from "./command-line-words.js";
+import { formatOf } from "../formats/file-formats.js";
 import { writableName, writeMeshTo } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
-import { type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
+import { formatName, type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
 import { readGiven, subjectOf } from "./joined-inputs.js";
 import { asInvalidInput, asEngineFailure, ExitCode, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, givenFiles, outputFiles } from "./paths.js";
@@ -132,12 +133,18 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const isQuiet = options.quiet === true;
   const subject = subjectOf(input, options.joined);
   const requiredAngle = requiredAngleOf(options);
-  const made = await meshInput(input, options, () => checkMeshPaths(input, options));
-  const { given, result, model: meshed, found } = made;
+  const write: WriteMade = async ({ result, model: meshed }, signal) => {
+    const isWritten =
+      mayWrite(result, options) && (await writeResult(input, options, result, meshed, signal));
+    return isWritten ? options.output : null;
+  };
+  const streaming = isStreamed(options) ? { inBlocks: true, write } : {};
+  const made = await meshInput(input, options, () => checkMeshPaths(input, options), streaming);
+  const { given, result, found } = made;
   const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
-  const { mesh, report } = result;
+  const { report } = result;
   const shouldWrite = mayWrite(result, options);
-  const written = shouldWrite && (await writeResult(input, options, mesh, meshed)) ? options.output : null;
+  const { written = await write(made) } = made;
   if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
   const poor = requiredAngleError(
@@ -170,10 +177,29 @@ export interface MeshedInput {
   readonly found: readonly Diagnostic[];
   /** What was done to a surface. */
   readonly made?: MeshedSurface | undefined;
+  /** File that contains the mesh, or null, if it was to be written before the mesher was disposed of. */
+  readonly written?: string | null | undefined;
 }
 
 /** What a recorded run does with the front. */
 export type FrontRecording = Pick<RunControl, "onTrace" | "experiment">;
+
+/** Writes a mesh if it should be written; returns its file, or null. */
+type WriteMade = (
+  made: Pick<MeshedInput, "result" | "model">,
+  signal?: AbortSignal,
+) => Promise<string | null>;
+
+/** What becomes of a finished mesh whose elements stay in the engine: `write` has its file written before the mesher is disposed of. */
+interface Streaming extends Pick<RunControl, "inBlocks"> {
+  readonly write?: WriteMade;
+}
+
+/** Returns whether the elements of a mesh are written while they are read from the engine. Several runs may be needed for a number of them. */
+function isStreamed({ output, to, elements, elementOrder }: MeshCommandOptions): boolean {
+  const format = formatOf(formatName(output, to));
+  return elements === undefined && elementOrder !== "2" && ["vtu", "gmsh"].includes(format?.id ?? "");
+}
 
 /**
  * Reads, repairs and meshes an input, and prints what was done. `checkPaths` is called before anything is read. `recording`
@@ -183,7 +209,7 @@ export async function meshInput(
   input: string,
   options: Omit<MeshCommandOptions, "output">,
   checkPaths: () => Promise<void>,
-  recording: FrontRecording = {},
+  { write, ...recording }: FrontRecording & Streaming = {},
 ): Promise<MeshedInput> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
@@ -193,7 +219,7 @@ export async function meshInput(
   if (given.kind === "project") checkForProject(given.project, options, meshOptions);
   const grid = await readGivenGrid(options, isQuiet);
   const early = earlyNotes(subject, isQuiet);
-  const meshed = await withRun(isQuiet, async (mesher, controlOf) => {
+  const run: Parameters<typeof withRun<Omit<MeshedInput, "given">>>[1] = async (mesher, controlOf) => {
     const all = await withGrid(mesher, meshOptions, grid);
     const control = (step?: Step) => ({ ...controlOf(step), ...recording });
     if (control().signal.aborted) return { result: emptyResult("cancelled"), model: given, found: read };
@@ -222,6 +248,12 @@ export async function meshInput(
     });
     const model = { kind: "surface", surface: made.surface } as const;
     return { result: made, model, found: [...read, ...made.diagnostics], made };
+  };
+  const meshed = await withRun(isQuiet, async (mesher, controlOf, during) => {
+    const ended = await run(mesher, controlOf, during);
+    const { signal } = controlOf();
+    if (ended.result.blocks === undefined || write === undefined) return ended;
+    return { ...ended, written: await during(() => write(ended, signal)) };
   }).catch((failure: unknown) => cancelledOr(failure, given, read));
   if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
   const { secondOrder } = meshed.result.report;
@@ -394,8 +426,9 @@ function mayWrite({ report, mesh }: MeshResult, { keepPartial }: MeshCommandOpti
 async function writeResult(
   input: string,
   options: MeshCommandOptions,
-  mesh: Mesh,
+  { mesh, blocks }: MeshResult,
   model: Input,
+  signal?: AbortSignal,
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;
   const subject = subjectOf(input, options.joined);
@@ -406,7 +439,9 @@ async function writeResult(
     }
   }
   const elementOrder = elementOrderFor(options, name);
-  return succeeds(() => writeMeshTo({ input: subject, output, name, isQuiet }, mesh, { elementOrder }));
+  return succeeds(() =>
+    writeMeshTo({ input: subject, output, name, isQuiet }, mesh, { elementOrder, blocks, signal }),
+  );
 }
 
 type CommandReport = MeshReport & {

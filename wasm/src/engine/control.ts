@@ -38,6 +38,12 @@ export interface RunControl {
    */
   readonly onBody?: ((prepared: PreparedBody) => void) | undefined;
   /**
+   * If true, the elements of a finished mesh of `meshProject` or `fillSurface` stay in the engine: the result hands them out in `blocks`, so
+   * that a mesh may be larger than the memory for its arrays. Call `blocks.release()` when you have read them. A mesh that is not
+   * finished has arrays, and so has one of second-order elements, or with a number of `elements`. Default false.
+   */
+  readonly inBlocks?: boolean | undefined;
+  /**
    * Aborting it ends `meshProject` and `fillSurface` with status `cancelled`, usually within 100 ms; the result holds the
    * mesh made so far. If the engine does not answer within 0.5 s, its worker is terminated and the mesh is empty. Other
    * calls reject with a `MesherError` of code `cancelled`.

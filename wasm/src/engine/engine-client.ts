@@ -13,7 +13,7 @@ import {
 } from "../diagnostics/mesher-error.js";
 import { EngineWorker, type WorkReply } from "./engine-worker.js";
 import { type AnswerOf, type ArgumentsOf, type CallName, trianglesIn } from "./calls.js";
-import type { Answer, EngineResult, Question, Request } from "./protocol.js";
+import type { Answer, BlockRequest, EngineResult, Question, Request } from "./protocol.js";
 import { buffersOf } from "./transfer.js";
 
 type RunReply = Extract<
@@ -47,7 +47,7 @@ export interface Cancelled {
 type FailureAt = (progress: CallProgress | undefined) => MesherError;
 
 interface OpenQuestion extends ProgressListener {
-  readonly question: Question;
+  readonly question: Question | BlockRequest;
   /** Whether it is to be answered with what has been made so far. */
   isStopped: boolean;
   readonly receive: (reply: Answer) => void;
@@ -125,6 +125,29 @@ export class EngineClient {
     } finally {
       signal?.removeEventListener("abort", onAbort);
     }
+  }
+
+  /** Resolves with a part of a mesh that stays in the engine. */
+  read<Values>(request: Omit<BlockRequest, "kind" | "id">): Promise<Values> {
+    this.assertOpen();
+    const question: BlockRequest = { kind: "read", id: this.nextId(), ...request };
+    return new Promise<Values>((resolve, reject) => {
+      const receive = ({ answer }: Answer) => resolve(answer as Values);
+      this.#questions.set(question.id, {
+        question,
+        isStopped: false,
+        onProgress: undefined,
+        receive,
+        reject,
+      });
+      this.#worker.post(question, []);
+      this.#updateKeepAlive();
+    });
+  }
+
+  /** Ends the life of the mesh of a run that stays in the engine. */
+  release(run: number): void {
+    if (this.#closed === undefined) this.#worker.post({ kind: "release", id: run }, []);
   }
 
   /** Rejects a question whose answer is no longer needed, and cancels its work. */
@@ -265,7 +288,9 @@ export class EngineClient {
     if (!isAwaited && !reply.isEngineLost) return;
     const question = this.#questions.get(reply.id)?.question;
     const triangles =
-      question === undefined ? (this.#active?.triangles ?? 0) : trianglesIn(question.call, question.given);
+      question?.kind !== "question"
+        ? (this.#active?.triangles ?? 0)
+        : trianglesIn(question.call, question.given);
     this.#replaceWorker((progress) => failureError(reply, progress, triangles));
   }
 

@@ -36,6 +36,17 @@ export interface Question {
   readonly given: readonly unknown[];
 }
 
+/** A request for the nodes or tetrahedra [first, last) of a mesh that stays in the engine. Answered by one `answer` or `unanswerable`. */
+export interface BlockRequest {
+  readonly kind: "read";
+  readonly id: number;
+  /** Id of the run that has made the mesh. */
+  readonly run: number;
+  readonly part: "points" | "tetrahedra";
+  readonly first: number;
+  readonly last: number;
+}
+
 /**
  * Each request for work has its own id. Replies repeat it; replies to abandoned requests are recognized by it and
  * ignored.
@@ -58,6 +69,8 @@ export type Request =
       readonly recordTrace: FrontExperiment | undefined;
       /** Number of threads that optimize tiles; undefined for as many as the machine has, up to a limit. */
       readonly threads: number | undefined;
+      /** Whether a finished mesh stays in the engine until its `release`; `read` requests hand it out. */
+      readonly inBlocks: boolean;
       readonly model: ModelArrays;
       /** Surfaces to mesh together with the model; undefined without any. */
       readonly bodies: BodySurfaceArrays | undefined;
@@ -72,6 +85,7 @@ export type Request =
       readonly showUnoptimized: boolean;
       readonly recordTrace: FrontExperiment | undefined;
       readonly threads: number | undefined;
+      readonly inBlocks: boolean;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       /** Empty arrays if nothing is known. */
@@ -81,6 +95,9 @@ export type Request =
       readonly options: EngineOptions;
     }
   | Question
+  | BlockRequest
+  /** Ends the life of a mesh that stays in the engine: that of the run with this id. */
+  | { readonly kind: "release"; readonly id: number }
   /**
    * Cancels the run or question with this id. A run replies `stopping` and then `result`; a question does not
    * reply.
@@ -92,6 +109,8 @@ export type Request =
 /** A result whose diagnostics are not yet described in words; only the sender of the request can do that. */
 export interface EngineResult extends EngineMesh {
   readonly status: MeshStatus;
+  /** Of a mesh that stays in the engine; `volume` is then empty. Twice a region and its number of tetrahedra. */
+  readonly regionRuns?: Uint32Array;
   /** Absent without stretching. */
   readonly metricShapes?: MetricShapes;
   readonly statistics: Omit<MeshReport, "diagnostics" | "status" | "regions">;
@@ -139,5 +158,5 @@ export type Reply =
     } & EngineFailure)
   /** A module could not be loaded: its address and the reason. */
   | { readonly kind: "unusable"; readonly name: ModuleName; readonly message: string }
-  /** The call with this id needs a module that could not be loaded. The next such call tries again. */
+  /** The call with this id needs a module that could not be loaded, or a mesh that is gone. The next such call tries again. */
   | { readonly kind: "unanswerable"; readonly id: number; readonly message: string };

@@ -2,7 +2,7 @@
 import { workerPort } from "#worker-port";
 import type { FailureReason } from "../diagnostics/mesher-error.js";
 import type { FrontRecording, MeshStatus } from "../mesh/report.js";
-import type { EngineMesh } from "./engine-mesh.js";
+import type { EngineMesh, EngineVolume } from "./engine-mesh.js";
 import { CALLS, toolFor } from "./calls.js";
 import { LazyModule, textOf } from "./lazy-module.js";
 import {
@@ -18,7 +18,7 @@ import {
   type TraceEngine,
 } from "./loader.js";
 import type { CompiledModule } from "./instantiated.js";
-import type { EngineResult, ModuleName, Question, Request } from "./protocol.js";
+import type { BlockRequest, EngineResult, ModuleName, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { regionStatistics } from "./region-statistics.js";
 import { RunClock } from "./run-clock.js";
@@ -102,6 +102,12 @@ async function serve(request: Request): Promise<void> {
       return workIn(runModule(request), request.id, (engine) =>
         mesh(request, withRules(surfaceRun(engine, request), request)),
       );
+    case "read":
+      return readBlock(request);
+    case "release":
+      kept.get(request.id)?.delete();
+      kept.delete(request.id);
+      return;
     case "question":
       return workIn<Engine | Tools>(modules[CALLS[request.call].module], request.id, (module) =>
         answer(module, request),
@@ -187,7 +193,7 @@ function controlOf(id: number): SliceControl {
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
 
 async function mesh(
-  { id, showFront, showUnoptimized, recordTrace, threads: asked }: RunRequest,
+  { id, showFront, showUnoptimized, recordTrace, threads: asked, inBlocks }: RunRequest,
   run: EngineRun | null,
 ): Promise<void> {
   if (run === null) throw noMemory();
@@ -212,13 +218,58 @@ async function mesh(
     const status = await runInSlices(run, clock, control);
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
     tiles?.close();
-    const result = resultOf(run, status, clock, threads);
+    const isKept = inBlocks && status === "done";
+    const result = resultOf(run, status, clock, { threads, isKept });
+    if (isKept) kept.set(id, run);
     workerPort.post({ kind: "result", id, result }, buffersOf(result));
   } finally {
     tiles?.close();
-    run.delete();
+    if (!kept.has(id)) run.delete();
   }
 }
+
+/** Runs whose meshes stay in the engine, by the ids of their requests. */
+const kept = new Map<number, EngineRun>();
+
+function readBlock({ id, run: of, part, first, last }: BlockRequest): void {
+  try {
+    const run = kept.get(of);
+    if (run === undefined) throw new Error("the mesh has been released");
+    const answer = run[part](first, last);
+    assertHealthy(run);
+    workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
+  } catch (failure) {
+    workerPort.post({ kind: "unanswerable", id, message: textOf(failure) });
+  }
+}
+
+/** Number of nodes or tetrahedra that are copied at once. */
+const BLOCK = 1 << 16;
+
+/** Returns the arrays of a finished mesh, without a copy of them in the engine's memory. */
+function volumeOf(run: EngineRun): EngineVolume {
+  const [nodes, count] = [run.nodeCount(), run.tetrahedronCount()];
+  const points = new Float64Array(3 * nodes);
+  for (let first = 0; first < nodes; first += BLOCK) points.set(run.points(first, first + BLOCK), 3 * first);
+  const tetrahedra = new Uint32Array(4 * count);
+  for (let first = 0; first < count; first += BLOCK)
+    tetrahedra.set(run.tetrahedra(first, first + BLOCK), 4 * first);
+  const regions = new Uint32Array(count);
+  const runs = run.regionRuns();
+  for (let i = 0, first = 0; i < runs.length; i += 2) {
+    const end = first + (runs[i + 1] ?? 0);
+    regions.fill(runs[i] ?? 0, first, end);
+    first = end;
+  }
+  return { points, tetrahedra, regions, front: new Uint32Array() };
+}
+
+const noVolume = (): EngineVolume => ({
+  points: new Float64Array(),
+  tetrahedra: new Uint32Array(),
+  regions: new Uint32Array(),
+  front: new Uint32Array(),
+});
 
 /** Returns the workers beside this one for a run; none if one thread is enough, or if it is recorded. */
 function poolFor(run: EngineRun, threads: number): TilePool | undefined {
@@ -226,13 +277,19 @@ function poolFor(run: EngineRun, threads: number): TilePool | undefined {
   return new TilePool(run, threads, engineCode);
 }
 
-function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock, threads: number): EngineResult {
+/** `isKept`: whether the mesh stays in the engine. */
+function resultOf(
+  run: EngineRun,
+  status: MeshStatus,
+  clock: RunClock,
+  { threads, isKept }: { readonly threads: number; readonly isKept: boolean },
+): EngineResult {
   const surface = run.surface();
-  const volume = run.volume();
+  const volume = isKept ? noVolume() : status === "done" ? volumeOf(run) : run.volume();
   const quality = run.quality();
   const statistics = {
-    nodes: volume.points.length / 3,
-    tetrahedra: volume.tetrahedra.length / 4,
+    nodes: run.nodeCount(),
+    tetrahedra: run.tetrahedronCount(),
     triangles: surface.triangles.length / 3,
     dihedral: { min: quality.minDihedral, max: quality.maxDihedral },
     radiusRatio: { min: quality.minRadiusRatio, mean: quality.meanRadiusRatio },
@@ -255,6 +312,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock, threads: 
     status,
     surface,
     volume,
+    ...(isKept && { regionRuns: run.regionRuns() }),
     ...(metricShapes.radiusRatio.length > 0 && { metricShapes }),
     diagnostics,
     hasFoundNothingBetter,

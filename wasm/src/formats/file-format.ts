@@ -4,6 +4,7 @@
  */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { Mesh } from "../mesh/mesh.js";
+import type { BlockWriter } from "./blocks.js";
 import type { ByteSource } from "./byte-source.js";
 import type { Part } from "./bytes.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -82,6 +83,8 @@ export type MeshWriter = (
 export interface FormatCode {
   readonly read?: MeshReader;
   readonly write?: MeshWriter;
+  /** Writes meshes whose elements are handed out in blocks, to one file. */
+  readonly writeBlocks?: BlockWriter;
   /**
    * For readers that collect all bytes first: the fraction of the total work done by then. They report the rest to
    * `onWork`.

@@ -7,6 +7,7 @@ import { checkArgument } from "../calls/argument-checks.js";
 import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, FormatCode, MeshReader, MeshWriter, Note } from "./file-format.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { type BlockWriter, fitBlocksToFormat } from "./blocks.js";
 import { fitToFormat, type FormatLimits } from "./format-limits.js";
 import type { WrittenMesh } from "./second-order.js";
 
@@ -85,6 +86,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     load: async () => ({
       ...(await vtkXml()),
       write: await vtuWriter(),
+      writeBlocks: blockWriter((await import("./vtu-blocks.js")).writeVtuBlocks, VTU_LIMITS),
     }),
   },
   {
@@ -105,6 +107,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
       write: singleFile((await import("./msh.js")).writeMsh, GMSH_LIMITS),
+      writeBlocks: blockWriter((await import("./msh-blocks.js")).writeMshBlocks, GMSH_LIMITS),
       passes: 11,
     }),
   },
@@ -351,10 +354,16 @@ const GMSH_LIMITS: FormatLimits = {
 
 async function vtuWriter(): Promise<MeshWriter> {
   const { writeVtu } = await import("./vtu.js");
-  return withLimits(
-    { minTag: 0, canHoldData: () => true, hasElementData: true },
-    (mesh, fileName, note, createSpool) => [{ fileName, parts: writeVtu(mesh, note, createSpool) }],
-  );
+  return withLimits(VTU_LIMITS, (mesh, fileName, note, createSpool) => [
+    { fileName, parts: writeVtu(mesh, note, createSpool) },
+  ]);
+}
+
+const VTU_LIMITS: FormatLimits = { minTag: 0, canHoldData: () => true, hasElementData: true };
+
+/** Makes a writer of elements in blocks, which gets groups as the format can store them. */
+function blockWriter(write: BlockWriter, limits: FormatLimits): BlockWriter {
+  return (mesh, note, createSpool) => write(fitBlocksToFormat(mesh, limits, note), note, createSpool);
 }
 
 /** Makes a writer of a single file. */

@@ -17,24 +17,37 @@ export const GMSH_NAMING: Naming = { maxBytes: 127 };
 /** Returns the bytes of an MSH file. */
 export function* writeMsh(mesh: WrittenMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
+  const { groups, head } = yield* mshHead(mesh, note);
+  yield [
+    ...head,
+    nodeTags(points.length / 3, groups),
+    points,
+    "\n$EndNodes\n$Elements\n",
+    elements(groups),
+    "\n$EndElements\n",
+    dataSections(mesh),
+  ];
+}
+
+/** Returns the groups of a mesh, and the begin of its file, up to the nodes. */
+export function* mshHead(
+  mesh: WrittenMesh,
+  note: Note,
+): Steps<{ readonly groups: readonly Group[]; readonly head: Part[] }> {
   const patches = yield* patchGroups(mesh, { ...GMSH_NAMING, note });
   const regions = yield* regionGroups(mesh, { ...GMSH_NAMING, note });
   const groups = [...patches, ...regions];
-  yield [
+  const head = [
     // 1: binary; 8: bytes of a size_t. The number 1 that follows shows the byte order.
     "$MeshFormat\n4.1 1 8\n",
     Int32Array.of(1),
     "\n$EndMeshFormat\n",
     physicalNames(groups),
     "$Entities\n",
-    entities(patches, regions, points),
+    entities(patches, regions, mesh.points),
     "\n$EndEntities\n$Nodes\n",
-    nodes(points, groups),
-    "\n$EndNodes\n$Elements\n",
-    elements(groups),
-    "\n$EndElements\n",
-    dataSections(mesh),
   ];
+  return { groups, head };
 }
 
 /** Returns one section per name of values at nodes or of elements; the same in both versions of the format. */
@@ -124,9 +137,10 @@ function* boundingBox(nodes: Uint32Array, points: Float64Array): Steps<Float64Ar
   return box;
 }
 
-/** Puts all nodes into one block of the last entity; tags count from 1 in the order of the mesh. */
-function nodes(points: Float64Array, groups: readonly Group[]): Part[] {
-  const count = points.length / 3;
+/**
+ * Puts all nodes into one block of the last entity; tags count from 1 in the order of the mesh. Their positions come after these parts.
+ */
+export function nodeTags(count: number, groups: readonly Group[]): Part[] {
   const owner = groups.at(-1);
   if (owner === undefined || count === 0) return [widened([0, 0, 0, 0])];
   return [
@@ -136,7 +150,6 @@ function nodes(points: Float64Array, groups: readonly Group[]): Part[] {
     inPieces(count, (begin, end) =>
       widened(Uint32Array.from({ length: end - begin }, (_, i) => begin + i + 1)),
     ),
-    points,
   ];
 }
 
@@ -147,20 +160,39 @@ export function gmshOrder({ nodes, dimension }: ElementKind): readonly number[] 
 }
 
 function* elements(groups: readonly Group[]): Generator<Part, void> {
-  const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
-  yield widened([groups.length, total, Math.min(1, total), total]);
+  yield elementCount(groups.map(countIn));
   let tag = 1;
-  for (const { kind, tag: entity, nodes } of groups) {
-    const count = nodes.length / kind.nodes;
-    const order = gmshOrder(kind);
-    yield [Int32Array.of(kind.dimension, entity, kind.type), widened([count])];
-    yield* inPieces(count, (begin, end) => {
-      const rows = new Uint32Array((kind.nodes + 1) * (end - begin));
-      for (let e = begin, out = 0; e < end; e++) {
-        rows[out++] = tag++;
-        for (const i of order) rows[out++] = (nodes[kind.nodes * e + i] ?? 0) + 1;
-      }
-      return widened(rows);
-    });
+  for (const group of groups) {
+    yield entityElements(group, countIn(group));
+    yield elementRows(group, group.nodes, tag);
+    tag += countIn(group);
   }
+}
+
+/** Returns the number of elements of a group. */
+export const countIn = ({ kind, nodes }: Group): number => nodes.length / kind.nodes;
+
+/** Returns what comes before all elements. `counts`: per group. */
+export function elementCount(counts: readonly number[]): Part {
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  return widened([counts.length, total, Math.min(1, total), total]);
+}
+
+/** Returns what comes before the elements of a group. */
+export const entityElements = ({ kind, tag }: Group, count: number): Part => [
+  Int32Array.of(kind.dimension, tag, kind.type),
+  widened([count]),
+];
+
+/** Returns the rows of elements of a group whose tags count from `firstTag`. */
+export function elementRows({ kind }: Group, nodes: Uint32Array, firstTag: number): Part {
+  const order = gmshOrder(kind);
+  return inPieces(nodes.length / kind.nodes, (begin, end) => {
+    const rows = new Uint32Array((kind.nodes + 1) * (end - begin));
+    for (let e = begin, out = 0; e < end; e++) {
+      rows[out++] = firstTag + e;
+      for (const i of order) rows[out++] = (nodes[kind.nodes * e + i] ?? 0) + 1;
+    }
+    return widened(rows);
+  });
 }

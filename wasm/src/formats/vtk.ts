@@ -143,9 +143,13 @@ function* interleaved(
   return all;
 }
 
-export function vtkCellData(mesh: WrittenMesh): VtkCellData {
-  const { tetrahedronRegion, trianglePatch } = mesh;
-  const tets = tetrahedronRegion.length;
+/** `tets` and `regionOf`: number of tetrahedra, and the region of each, if the mesh has no arrays of them. */
+export function vtkCellData(
+  mesh: WrittenMesh,
+  tets = mesh.tetrahedronRegion.length,
+  regionOf = (t: number) => mesh.tetrahedronRegion[t] ?? 0,
+): VtkCellData {
+  const { trianglePatch } = mesh;
   const [tetra, triangle] =
     mesh.midNodes === undefined ? [VTK_TETRA, VTK_TRIANGLE] : [VTK_QUADRATIC_TETRA, VTK_QUADRATIC_TRIANGLE];
   const perCell = (ofTetrahedron: (t: number) => number, ofTriangle: (t: number) => number): CellValues => {
@@ -166,7 +170,7 @@ export function vtkCellData(mesh: WrittenMesh): VtkCellData {
       () => tetra,
       () => triangle,
     ),
-    regions: perCell((t) => regionTags[tetrahedronRegion[t] ?? 0] ?? 0, none),
+    regions: perCell((t) => regionTags[regionOf(t)] ?? 0, none),
     patches: perCell(none, (t) => patchTags[trianglePatch[t] ?? 0] ?? 0),
   };
 }

@@ -21,6 +21,16 @@ const BLOCK_BYTES = 1 << 16;
 /** Higher levels hardly compress mesh data better. */
 const LEVEL = 4;
 
+/** Attributes of the arrays that every file has, in the order of its head. */
+export const VTU_ARRAYS = {
+  points: 'type="Float64" Name="Points" NumberOfComponents="3"',
+  connectivity: 'type="Int32" Name="connectivity"',
+  offsets: 'type="Int32" Name="offsets"',
+  types: 'type="UInt8" Name="types"',
+  region: 'type="Int32" Name="region"',
+  patch: 'type="Int32" Name="patch"',
+} as const;
+
 interface DataArray {
   readonly attributes: string;
   readonly count: number;
@@ -47,22 +57,40 @@ function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, v
   const cellData = yield* vtkElementData(mesh, note);
   const perCell = { count, width: 4 };
   const arrays: readonly DataArray[] = [
-    { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', ...doubles(points) },
-    { attributes: 'type="Int32" Name="connectivity"', ...connectivity },
-    { attributes: 'type="Int32" Name="offsets"', ...perCell, values: offsets },
+    { attributes: VTU_ARRAYS.points, ...doubles(points) },
+    { attributes: VTU_ARRAYS.connectivity, ...connectivity },
+    { attributes: VTU_ARRAYS.offsets, ...perCell, values: offsets },
     {
-      attributes: 'type="UInt8" Name="types"',
+      attributes: VTU_ARRAYS.types,
       count,
       width: 1,
       values: (b, e) => Uint8Array.from(types(b, e)),
     },
-    { attributes: 'type="Int32" Name="region"', ...perCell, values: regions },
-    { attributes: 'type="Int32" Name="patch"', ...perCell, values: patches },
+    { attributes: VTU_ARRAYS.region, ...perCell, values: regions },
+    { attributes: VTU_ARRAYS.patch, ...perCell, values: patches },
     ...namedArrays(cellData),
     ...namedArrays(mesh.nodeData),
   ];
   const packed = new Map<DataArray, PackedArray>();
   for (const array of arrays.toReversed()) packed.set(array, yield* compressed(array, spool));
+  yield* vtuFile({ mesh, nodes: points.length / 3, cells: count, note }, packed, spool, cellData.size);
+}
+
+/** What the head of a file states. `mesh`: patches, regions and the values at its nodes. */
+interface FileContent {
+  readonly mesh: Mesh;
+  readonly nodes: number;
+  readonly cells: number;
+  readonly note: Note;
+}
+
+/** Returns the file of arrays that are in the spool: points, cells, their groups, and values of `cellFields` fields of cells and of nodes. */
+export function* vtuFile(
+  { mesh, nodes, cells, note }: FileContent,
+  packed: ReadonlyMap<Pick<DataArray, "attributes">, PackedArray>,
+  spool: Spool,
+  cellFields: number,
+): Generator<Part, void> {
   const [pointTag, connectivityTag, offsetTag, typeTag, regionTag, patchTag, ...dataTags] = arrayTags(packed);
   const order = IS_LITTLE_ENDIAN ? "LittleEndian" : "BigEndian";
   const head = [
@@ -71,11 +99,11 @@ function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, v
     ...allNameLines(mesh, note).map((line) => `<!-- ${escaped(line)} -->`),
     "<UnstructuredGrid>",
     ...fieldData(mesh),
-    `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${count}">`,
+    `<Piece NumberOfPoints="${nodes}" NumberOfCells="${cells}">`,
     `<Points>${pointTag}</Points>`,
     `<Cells>${connectivityTag}${offsetTag}${typeTag}</Cells>`,
-    `<CellData Scalars="region">${regionTag}${patchTag}${dataTags.slice(0, cellData.size).join("")}</CellData>`,
-    ...(mesh.nodeData.size > 0 ? [`<PointData>${dataTags.slice(cellData.size).join("")}</PointData>`] : []),
+    `<CellData Scalars="region">${regionTag}${patchTag}${dataTags.slice(0, cellFields).join("")}</CellData>`,
+    ...(mesh.nodeData.size > 0 ? [`<PointData>${dataTags.slice(cellFields).join("")}</PointData>`] : []),
     "</Piece>",
     "</UnstructuredGrid>",
     '<AppendedData encoding="raw">',
@@ -168,7 +196,7 @@ function escaped(line: string): string {
 }
 
 /** An array in the spool. */
-interface PackedArray {
+export interface PackedArray {
   /** Number of blocks, bytes of a block, bytes of a shorter last block, and the compressed size of each block. */
   readonly header: Uint32Array;
   /** Bytes of all compressed blocks. */
@@ -177,18 +205,53 @@ interface PackedArray {
 
 function* compressed({ count, width, values }: DataArray, spool: Spool): Generator<Part, PackedArray> {
   const perBlock = BLOCK_BYTES / width;
-  const sizes: number[] = [];
+  const packer = new ArrayPacker(spool);
   for (let begin = 0; begin < count; begin += perBlock) {
-    const { buffer, byteOffset, byteLength } = values(begin, Math.min(begin + perBlock, count));
-    const block = zlibSync(new Uint8Array(buffer, byteOffset, byteLength), { level: LEVEL });
-    spool.add(block);
-    sizes.push(block.length);
+    packer.add(values(begin, Math.min(begin + perBlock, count)));
     yield PAUSE;
   }
-  return {
-    header: widened([sizes.length, BLOCK_BYTES, (count * width) % BLOCK_BYTES, ...sizes]),
-    bytes: sizes.reduce((sum, size) => sum + size, 0),
-  };
+  return packer.end();
+}
+
+/** Compresses an array into the spool. */
+export class ArrayPacker {
+  readonly #spool: Spool;
+  readonly #sizes: number[] = [];
+  readonly #block = new Uint8Array(BLOCK_BYTES);
+  #filled = 0;
+
+  constructor(spool: Spool) {
+    this.#spool = spool;
+  }
+
+  /** Adds the next values. */
+  add({ buffer, byteOffset, byteLength }: ArrayBufferView): void {
+    const bytes = new Uint8Array(buffer, byteOffset, byteLength);
+    for (let begin = 0; begin < bytes.length;) {
+      const taken = bytes.subarray(begin, begin + BLOCK_BYTES - this.#filled);
+      this.#block.set(taken, this.#filled);
+      this.#filled += taken.length;
+      begin += taken.length;
+      if (this.#filled === BLOCK_BYTES) this.#compress();
+    }
+  }
+
+  end(): PackedArray {
+    const rest = this.#filled;
+    if (rest > 0) this.#compress();
+    const sizes = this.#sizes;
+    return {
+      header: widened([sizes.length, BLOCK_BYTES, rest, ...sizes]),
+      bytes: sizes.reduce((sum, size) => sum + size, 0),
+    };
+  }
+
+  #compress(): void {
+    const block = zlibSync(this.#block.subarray(0, this.#filled), { level: LEVEL });
+    this.#filled = 0;
+    this.#spool.add(block);
+    this.#sizes.push(block.length);
+  }
 }
 
 /**
@@ -197,7 +260,7 @@ function* compressed({ count, width, values }: DataArray, spool: Spool): Generat
  * arrays have the same offset, it takes the first. In this order no new offset equals the old offset of an array
  * that it has yet to find, so it never takes the wrong one.
  */
-function arrayTags(packed: ReadonlyMap<DataArray, PackedArray>): readonly string[] {
+function arrayTags(packed: ReadonlyMap<Pick<DataArray, "attributes">, PackedArray>): readonly string[] {
   let offset = 0;
   const tags = Array.from(packed, ([{ attributes }, { header, bytes }]) => {
     const tag = `<DataArray ${attributes} format="appended" offset="${offset}"/>`;

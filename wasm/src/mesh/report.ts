@@ -1,4 +1,5 @@
 /** Result of a run: the mesh, its statistics, and the diagnostics. */
+import type { ElementBlocks } from "./element-blocks.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EngineStatus } from "../generated/constants.js";
 import type { Mesh } from "./mesh.js";
@@ -128,6 +129,11 @@ export interface MeshResult {
   readonly sideLine: Uint32Array;
   /** Shapes of the elements of a finished mesh in the metric of its size field; absent if the field is not stretched. */
   readonly metricShapes?: MetricShapes | undefined;
+  /**
+   * Nodes and tetrahedra of a finished mesh, after a run with `inBlocks`. `mesh` then has the nodes and triangles of the boundary, and no
+   * tetrahedra.
+   */
+  readonly blocks?: ElementBlocks | undefined;
   /** Present after a run with `onTrace`, unless its worker had to be terminated. */
   readonly recording?: FrontRecording | undefined;
   readonly report: MeshReport;
