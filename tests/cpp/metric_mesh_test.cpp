@@ -88,25 +88,6 @@ TEST(MeshMetricTest, TheComplexityOfAUniformMetricIsVolumePerCube) {
   EXPECT_NEAR(complexityOf(mesh, metrics), 500.0, 1e-9);
 }
 
-/// The midpoint rule on small equal parts of the tetrahedron.
-double integralByParts(const std::array<double, 4>& densities, int parts) {
-  double sum = 0.0;
-  int count = 0;
-  for (int i = 0; i < parts; ++i) {
-    for (int j = 0; i + j < parts; ++j) {
-      for (int k = 0; i + j + k < parts; ++k) {
-        const double b = (i + 0.25) / parts;
-        const double c = (j + 0.25) / parts;
-        const double d = (k + 0.25) / parts;
-        sum += std::exp((1.0 - b - c - d) * std::log(densities[0]) + b * std::log(densities[1]) +
-                        c * std::log(densities[2]) + d * std::log(densities[3]));
-        ++count;
-      }
-    }
-  }
-  return sum / count / 6.0;
-}
-
 TEST(MeshMetricTest, TheComplexityWithinATetrahedronIsTheIntegralOfAnExponential) {
   const std::array<Vec3, 4> unit{Vec3(0.0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   EXPECT_NEAR(complexityWithin(unit, {7.0, 7.0, 7.0, 7.0}), 7.0 / 6.0, 1e-14);
@@ -114,15 +95,14 @@ TEST(MeshMetricTest, TheComplexityWithinATetrahedronIsTheIntegralOfAnExponential
   const double s = 7.0;
   const double known = (std::exp(s) - 1.0 - s - 0.5 * s * s) / (s * s * s);
   EXPECT_NEAR(complexityWithin(unit, {1.0, 1.0, std::exp(s), 1.0}) / known, 1.0, 1e-13);
-  for (const std::array<double, 4>& densities : {std::array{1.0, 1.2, 0.9, 1.1},
-                                                 {1.0, 2.0, 4.0, 8.0},
-                                                 {100.0, 100.001, 0.1, 0.1},
-                                                 {1e-3, 1.0, 1e3, 2.0}}) {
-    const double near = integralByParts(densities, 96);
-    EXPECT_NEAR(complexityWithin(unit, densities) / near, 1.0, 0.05);
-    std::array<double, 4> turned = densities;
-    std::ranges::rotate(turned, turned.begin() + 1);
-    EXPECT_EQ(complexityWithin(unit, densities), complexityWithin(unit, turned));
+  // With logarithms 0, h, 2 h and 3 h, the divided difference is (e^h - 1)^3 / (6 h^3).
+  for (const double h : {0.01, 0.3, 0.4, 0.7, 3.0}) {
+    const double ofSteps = std::pow(std::expm1(h), 3) / (6.0 * h * h * h);
+    const std::array<double, 4> densities{1.0, std::exp(h), std::exp(2.0 * h), std::exp(3.0 * h)};
+    EXPECT_NEAR(complexityWithin(unit, densities) / ofSteps, 1.0, 1e-11) << h;
+    std::array<double, 4> rotated = densities;
+    std::ranges::rotate(rotated, rotated.begin() + 1);
+    EXPECT_EQ(complexityWithin(unit, densities), complexityWithin(unit, rotated)) << h;
   }
 }
 

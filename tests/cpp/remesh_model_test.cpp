@@ -27,8 +27,9 @@ SurfaceMesh finely(const TrimmedModel& model) {
 }
 
 SurfaceRemesh remeshed(const SurfaceMesh& given, const std::vector<double>& numbers,
-                       std::uint32_t budget = 1U << 30U) {
-  SurfaceRemesher remesher(given.points, given.triangles, given.trianglePatch, {}, {}, {}, numbers);
+                       std::uint32_t budget = 1U << 30U, const RemeshOptions& options = {}) {
+  SurfaceRemesher remesher(given.points, given.triangles, given.trianglePatch, {}, options, {},
+                           numbers);
   while (!remesher.advance(budget)) {
   }
   return remesher.result();
@@ -90,6 +91,28 @@ TEST(RemeshModel, HasItsNodesOnFacesFarFromTheOrigin) {
       result.points[i] -= far[static_cast<int>(i % 3)];
     EXPECT_LT(farthestNode(solid, given, result), 1e-9);
     EXPECT_GT(result.smallestAngle, 20.0);
+  }
+}
+
+/// On a torus, single triangles are larger than their sizes.
+TEST(RemeshModel, HasEveryTriangleWithinAGivenTolerance) {
+  for (const TrimmedSolid& solid : {trimmedTorus(1.0, 0.4), trimmedSphere(1.0)}) {
+    const SurfaceMesh given = finely(solid.model);
+    for (const double tolerance : {0.02, 0.01, 0.007}) {
+      RemeshOptions options;
+      options.tolerance = tolerance;
+      const SurfaceRemesh result = remeshed(given, numbersOf(solid.model), 1U << 30U, options);
+      ASSERT_TRUE(result.onFaces);
+      EXPECT_LE(result.deviation, tolerance);
+      const SurfaceMesh made = surfaceOf(result);
+      double farthest = 0.0;
+      for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+        const std::uint32_t face = given.trianglePatch[result.origin[t.index()]];
+        farthest = std::max(farthest, solid.distances[face](centroidOf(cornersOf(made, t))));
+      }
+      EXPECT_LT(farthest, tolerance);
+      EXPECT_GT(farthest, 0.3 * tolerance);
+    }
   }
 }
 

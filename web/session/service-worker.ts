@@ -4,5 +4,5 @@
 export const canWorkOffline = (): boolean => import.meta.env.PROD && "serviceWorker" in navigator;
 
 /** Registers the service worker for the whole site. `root` leads from the page to the root of the site. */
-export const registerWorker = (root = "./"): Promise<ServiceWorkerRegistration> =>
+export const registerWorker = async (root = "./"): Promise<ServiceWorkerRegistration> =>
   navigator.serviceWorker.register(new URL(`${root}sw.js`, document.baseURI));

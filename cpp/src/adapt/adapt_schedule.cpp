@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "adapt/edge_list.h"
+#include "adapt/poor_list.h"
 #include "base/sort.h"
 
 namespace tetrafront {
@@ -239,13 +241,14 @@ Task<> AdaptSchedule::improve(Work& work) {
   std::size_t before = 0;
   badness_.setFloor(0.5 * goal_);
   if (isNear_) {
+    badness_.weakenPull();
     for (AdaptNode& node : mesh_.nodes) node.tried = node.changed;
   }
   for (std::uint32_t sweep = 0; sweep < sweeps_ && !isStopped_; ++sweep) {
     const double last = badness_.floor();
     raiseFloor();
     const bool isRaised = badness_.floor() > last;
-    // What was tried in vain may succeed at other costs.
+    // What was tried in vain may succeed at a higher floor.
     if (isRaised) {
       for (AdaptElement& element : mesh_.elements) element.tried = 0;
     }
@@ -263,15 +266,15 @@ Task<> AdaptSchedule::improve(Work& work) {
         work, badness_.floor() + (isNear_ || sweep < kStrictSweeps ? 0.0 : kAboveFloor));
     if (!improvement_.staysInPlace()) co_await moveAll(work, MoveEffort::kSearch);
   }
-  badness_.setPerElement(0.0);
+  number_.clearPrice();
   co_await disturbance_.run(work);
 }
 
 /// Collapses short edges while there are more elements than the metric asks for; returns whether their number has fallen clearly.
 Task<bool> AdaptSchedule::thin(Work& work) {
-  constexpr double kThinned = 0.95;
-  constexpr double kClearFall = 0.01;
-  // A mesh that is nearly adapted keeps its nodes unless it has far more elements.
+  constexpr double kThinned = 0.95;    // metric length below which edges are collapsed
+  constexpr double kClearFall = 0.01;  // share of the elements
+  // Elements / those asked for: below, a mesh that is nearly adapted keeps its nodes.
   constexpr double kFarMore = 1.3;
   std::vector<AdaptEdge> edges = co_await listEdges(work, mesh_);
   const auto isOut = [this](const AdaptEdge& edge) {
@@ -279,7 +282,10 @@ Task<bool> AdaptSchedule::thin(Work& work) {
   };
   const auto out = static_cast<double>(std::ranges::count_if(edges, isOut));
   co_await number_.measure(work);
-  if (isNear_ && number_.excess() < kFarMore) co_return false;
+  if (isNear_ && number_.excess() < kFarMore) {
+    number_.clearPrice();
+    co_return false;
+  }
   number_.setPrice(out / static_cast<double>(edges.size()));
   std::erase_if(edges, [](const AdaptEdge& edge) { return edge.length > kThinned; });
   SlicedSort sort{std::span<AdaptEdge>(edges),

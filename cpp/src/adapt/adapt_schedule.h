@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file The order of an adaptation: passes that bring the lengths near 1, through metrics of falling least size, and then
-/// sweeps that lower the badness.
+/// @file The order of an adaptation: passes that bring the lengths near 1, through metrics of falling least size; sweeps that lower
+/// the badness and the number of elements; at last disturbances.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,6 @@
 
 #include "adapt/adapt_operations.h"
 #include "adapt/disturbance.h"
-#include "adapt/edge_list.h"
 #include "adapt/element_number.h"
 #include "adapt/local_improvement.h"
 #include "adapt/node_mover.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file The cost of edges and elements that an adaptation lowers. Edges with a unit length and elements of good shape cost
-/// nothing, so their number does not count.
+/// @file The cost of edges and elements that an adaptation lowers. Edges of unit length and elements of good shape cost nothing,
+/// unless elements have a price (ElementNumber).
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,8 @@ inline constexpr double kForbidden = 1e9;
 
 class Badness {
  public:
-  /// `floor`: quality below which an element costs much. `aim`: reciprocal of the length that edges are drawn to.
-  explicit Badness(double floor, double aim = 1.0)
-      : floor_(floor), soft_(std::max(kSoft, floor + 0.05)), aim_(aim) {}
+  /// `floor`: quality below which an element costs much.
+  explicit Badness(double floor) : floor_(floor), soft_(std::max(kSoft, floor + 0.05)) {}
 
   [[nodiscard]] double floor() const { return floor_; }
   void setFloor(double floor) {
@@ -29,22 +28,28 @@ class Badness {
     soft_ = std::max(kSoft, floor + 0.05);
   }
 
+  /// Draws moved nodes less to unit edges, so that fewer of them are moved.
+  void weakenPull() { edgePull_ = kWeakEdgePull; }
+
   /// Sets the cost of each element, whatever its quality.
   void setPerElement(double cost) { perElement_ = cost; }
 
   /// Cost of an edge by its metric length > 0. Up to 0.35 doublings from 1 it is free; at the bounds it jumps to about 1.
   [[nodiscard]] double ofEdge(double length) const {
-    const double relative = length * aim_;
-    if (relative > kFreeLow && relative < kFreeHigh) return 0.0;
-    const double s = doublings(relative);
+    if (length > kFreeLow && length < kFreeHigh) return 0.0;
+    const double s = doublings(length);
     if (s < 1.0) return kBelowBound * (s - kFree) / (1.0 - kFree);
     return 1.0 + 0.5 * std::min(s - 1.0, 2.0) + 0.1 * s;
   }
 
-  /// Cost of an element by its quality.
+  /// Cost of an element by its quality, and its price.
   [[nodiscard]] double ofElement(double quality) const {
-    if (quality <= 0.0) return kForbidden;
-    double cost = perElement_;
+    return quality <= 0.0 ? kForbidden : perElement_ + ofQuality(quality);
+  }
+
+  /// Cost of a quality > 0.
+  [[nodiscard]] double ofQuality(double quality) const {
+    double cost = 0.0;
     if (quality < soft_) {
       const double lack = (soft_ - quality) / soft_;
       cost += lack * lack;
@@ -58,7 +63,7 @@ class Badness {
     const double t = (length - 1.0) / (length + 1.0);
     // 2 log2(l) = (2 / ln 2) 2 artanh(t), whose first terms suffice.
     const double s = kDoublingsPerTanh * t * (1.0 + t * t * (1.0 / 3.0 + 0.2 * t * t));
-    return kEdgePull * s * s;
+    return edgePull_ * s * s;
   }
   [[nodiscard]] static double pullOfElement(double quality) {
     return kElementPull * (1.0 / quality - 1.0);
@@ -78,13 +83,16 @@ class Badness {
   static constexpr double kBelowBound = 0.15;
   static constexpr double kBelowFloor = 30.0;
   static constexpr double kDoublingsPerTanh = 5.7707801635558536;
+  // The larger, the more lengths are near 1: with 0.03, 0.1, 0.2 and 0.3, 71, 73, 76 and 77 % are from 0.8 to 1.25 for sinfun3. With 0.3, the
+  // poorest elements become poorer.
   static constexpr double kEdgePull = 0.2;
+  static constexpr double kWeakEdgePull = 0.03;
   static constexpr double kElementPull = 0.02;
 
   double floor_;
   double soft_;
-  double aim_;
   double perElement_ = 0.0;
+  double edgePull_ = kEdgePull;
 };
 
 }  // namespace tetrafront

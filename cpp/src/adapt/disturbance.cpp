@@ -1,7 +1,6 @@
 #include "adapt/disturbance.h"
 
 #include <algorithm>
-#include <array>
 
 namespace tetrafront {
 namespace {
@@ -12,14 +11,15 @@ constexpr double kLeastFall = 0.1;
 /// Elements below this part of the floor are tried.
 constexpr double kFarBelow = 0.9;
 
-/// More such elements have a common cause.
-constexpr std::size_t kMostPoor = 100;
+/// If there are more such elements, they have a common cause, and none is tried.
+constexpr std::size_t kMaxPoor = 100;
 
-constexpr int kDisturbedRounds = 40;
+/// Lists of poor elements that are worked off at most.
+constexpr int kMaxRounds = 40;
 
-/// Each try copies and looks at all elements.
-constexpr std::size_t kMostTries = 40;
-constexpr std::size_t kMostCopied = 10'000'000;
+/// Each try copies and looks at all elements: tries, and elements that all of them copy, at most.
+constexpr std::size_t kMaxTries = 40;
+constexpr std::size_t kMaxCopied = 10'000'000;
 
 }  // namespace
 
@@ -141,13 +141,13 @@ bool Disturbance::wasTried(const PoorElement& poor) const {
 }
 
 Task<> Disturbance::run(Work& work) {
-  triesLeft_ = std::min(kMostTries, kMostCopied / std::max<std::size_t>(1, mesh_.elements.size()));
+  triesLeft_ = std::min(kMaxTries, kMaxCopied / std::max<std::size_t>(1, mesh_.elements.size()));
   bool isChanged = true;
-  for (int round = 0; round < kDisturbedRounds && isChanged; ++round) {
+  for (int round = 0; round < kMaxRounds && isChanged; ++round) {
     isChanged = false;
     const std::vector<PoorElement> all =
         co_await listPoor(work, mesh_, kFarBelow * badness_.floor());
-    if (all.empty() || all.size() > kMostPoor) break;
+    if (all.empty() || all.size() > kMaxPoor) break;
     if (round == 0) mesh_.save(state_);
     for (const PoorElement& poor : all) {
       const AdaptElement& element = mesh_.element(poor.element);

@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file Where no single change improves the last poor elements: changes that make the mesh worse at first.
+/// @file Disturbances: where no single change improves the last poor elements, changes that make the mesh worse at first, and are
+/// kept if improvements around them lower the badness in the end.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +21,7 @@ class Disturbance {
               const bool& isStopped)
       : mesh_(mesh), badness_(badness), improvement_(improvement), isStopped_(isStopped) {}
 
-  /// Disturbs the mesh at each element far below the floor, and keeps what the badness falls by.
+  /// Disturbs the mesh at each element far below the floor, and keeps each change that lowers the badness. To be called once.
   Task<> run(Work& work);
 
  private:

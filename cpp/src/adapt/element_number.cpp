@@ -32,7 +32,7 @@ Task<> ElementNumber::measure(Work& work) {
     }
     complexity += complexityWithin(corners, densities);
   });
-  wanted_ = kElementsPerComplexity * complexity;
+  targetCount_ = kElementsPerComplexity * complexity;
 }
 
 void ElementNumber::setPrice(double outOfBounds) {

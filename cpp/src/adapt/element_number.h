@@ -11,7 +11,7 @@
 namespace tetrafront {
 
 /// While a mesh has more elements than its metric asks for, each has a price, which is part of the badness: changes that lower
-/// their number are drawn in, as long as edges keep their lengths.
+/// their number are preferred, while edges keep their lengths.
 class ElementNumber {
  public:
   /// Both must outlive this.
@@ -19,19 +19,24 @@ class ElementNumber {
 
   /// Computes the number that the metric asks for on the mesh as it is.
   Task<> measure(Work& work);
-  /// Sets the price by the number that was measured last. `outOfBounds`: part of the edges that are out of bounds.
+  /// Sets the price by the number that was measured last. `outOfBounds`: share of the edges out of bounds, 0 to 1.
   void setPrice(double outOfBounds);
+  /// Sets the price to 0.
+  void clearPrice() {
+    price_ = 0.0;
+    badness_.setPerElement(0.0);
+  }
 
   /// Elements of the mesh / elements that the metric asked for when it was last measured.
   [[nodiscard]] double excess() const {
-    return static_cast<double>(mesh_.elementCount()) / std::max(1.0, wanted_);
+    return static_cast<double>(mesh_.elementCount()) / std::max(1.0, targetCount_);
   }
   [[nodiscard]] bool isExceeded() const { return excess() > 1.0; }
 
  private:
   const AdaptMesh& mesh_;
   Badness& badness_;
-  double wanted_ = 0.0;
+  double targetCount_ = 0.0;
   double price_ = 0.0;
 };
 

@@ -1,6 +1,7 @@
 #include "adapt/local_improvement.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace tetrafront {
 

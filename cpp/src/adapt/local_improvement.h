@@ -2,8 +2,6 @@
 
 /// @file The improvement of one edge or one element: the changes that are tried, in their order.
 
-#include <cstdint>
-
 #include "adapt/adapt_operations.h"
 #include "adapt/edge_list.h"
 #include "adapt/node_mover.h"

@@ -16,7 +16,7 @@ constexpr double kAttemptGain = 1e-9;
 constexpr double kMoveGain = 1e-6;
 
 /// Badness around a node from which random steps are worth their time.
-constexpr double kPoorSurroundings = 0.6;
+constexpr double kPoorSurroundings = 1.5;
 
 /// Height of the regular tetrahedron with edge 1.
 constexpr double kRegularHeight = 0.81649658092772603;
@@ -47,7 +47,7 @@ double NodeMover::badnessAround(NodeId node, double limit) {
     const double quality = mesh.qualityOf(mesh.element(id).nodes);
     qualities_.push_back(quality);
     sum += quality < kFlatQuality ? kForbidden
-                                  : badness.ofElement(quality) + Badness::pullOfElement(quality);
+                                  : badness.ofQuality(quality) + Badness::pullOfElement(quality);
     if (sum > limit) return sum;
   }
   for (const NodeId other : neighbours_) {

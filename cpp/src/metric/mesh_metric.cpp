@@ -27,17 +27,18 @@ double volumeOf(const std::array<Vec3, 4>& p) {
   return glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6.0;
 }
 
-/// Returns the divided difference of the exponential at ascending arguments, one to four.
+/// Returns the divided difference of the exponential at one to four ascending arguments.
 double dividedExponential(std::span<const double> arguments) {
-  constexpr double kNear = 1.0;
-  constexpr std::size_t kTerms = 12;
+  constexpr double kNear = 1.0;       // below, differences would lose digits
+  constexpr std::size_t kTerms = 12;  // at this range, the rest is below rounding
   const double range = arguments.back() - arguments.front();
   if (range > kNear) {
     return (dividedExponential(arguments.subspan(1)) -
             dividedExponential(arguments.first(arguments.size() - 1))) /
            range;
   }
-  // The Taylor series about the mean: sum of h_k / (n + k)! with the complete homogeneous symmetric polynomials h_k.
+  // The Taylor series about the mean: sum of h_k / (n + k)!, of n + 1 arguments, with the complete homogeneous
+  // symmetric polynomials h_k.
   double mean = 0.0;
   for (const double argument : arguments) mean += argument / static_cast<double>(arguments.size());
   std::array<double, kTerms> polynomials{1.0};

@@ -23,12 +23,12 @@ namespace tetrafront {
 Task<std::vector<double>> impliedMetrics(Work& work, const VolumeMesh& mesh);
 
 /// Elements of a mesh / complexity of the metric that it follows. A mesh of regular tetrahedra with edges of length 1
-/// would have 8.5, but they do not fill space. Adapted meshes of mmg 5.8 have 10.4, 10.7 and 11.1 in three cases of the
+/// would have 8.5, but they do not fill space. Adapted meshes of mmg 5.8 have 10.4, 10.7 and 11.1 (with the mean at the nodes) in three cases of the
 /// Unstructured Grid Adaptation Working Group, and 15.7 in the fourth, where a curved boundary is finer than its metric.
 inline constexpr double kElementsPerComplexity = 10.0;
 
-/// Returns the integral of sqrt(det M) over a tetrahedron, from its values at the corners, > 0: between them, the logarithms of
-/// metrics are linear, so its own logarithm is linear, too.
+/// Returns the integral of sqrt(det M) over a tetrahedron, from its values at the corners, > 0. Logarithms of metrics are
+/// interpolated linearly, so the logarithm of sqrt(det M) is linear too.
 [[nodiscard]] double complexityWithin(const std::array<Vec3, 4>& corners,
                                       const std::array<double, 4>& densities);
 

@@ -112,7 +112,7 @@ FieldMetric fieldMetric(const VolumeMesh& mesh, std::span<const double> hessians
     putTensor(field.hessians, i, hessian);
     putTensor(field.metrics, i, hessian.scaledBy(factor));
   }
-  // As the norms of errors, so that an error that is asked for is the one that is expected.
+  // Summed as the norms of errors are, so that the expected error is the one asked for.
   forEachShare(mesh, [&](std::size_t node, double share) {
     field.complexity += share * densityOf(tensorAt(field.metrics, node));
   });

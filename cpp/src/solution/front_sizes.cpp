@@ -8,8 +8,8 @@
 
 #include "base/tool_job.h"
 #include "geom/cube_root.h"
+#include "metric/mesh_metric.h"
 #include "metric/metric.h"
-#include "solution/error_metric.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {

@@ -9,8 +9,9 @@
 
 #include "base/ids.h"
 #include "geom/cube_root.h"
+#include "metric/mesh_metric.h"
+#include "metric/metric.h"
 #include "metric/principal_axes.h"
-#include "solution/error_metric.h"
 #include "solution/power.h"
 #include "topology/mesh_access.h"
 

@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 
 const meshOf = (elements: number) => ({ tetrahedra: new Uint32Array(4 * elements) });
 
-test("a mesh with a tenth more elements than asked for makes the next number smaller by as much", () => {
+test("a mesh with more or fewer elements than asked for makes the next number smaller or larger by the same factor", () => {
   expect(correctedNumber(1100, meshOf(1100), 1000)).toBe(1000);
   expect(correctedNumber(3000, meshOf(1800), 2000)).toBe(3333);
 });

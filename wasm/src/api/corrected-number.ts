@@ -5,8 +5,8 @@ import type { Mesh } from "../mesh/mesh.js";
 const MAX_CORRECTION = 2;
 
 /**
- * Returns the number of elements to ask for so that a mesh has the wanted number. Where layers are thin, meshes have more than their
- * sizes ask for: about as many more as the mesh before. `asked`: the number that the sizes of the given mesh have asked for.
+ * Returns the number of elements to ask for so that a mesh has the wanted number: corrected by the factor by which the given mesh has
+ * more or fewer elements than its sizes asked for, at most 2 either way. `asked`: the number that those sizes asked for.
  */
 export function correctedNumber(
   wanted: number | undefined,
