@@ -106,6 +106,7 @@ std::size_t MeshVerifier::elementCount() const { return tetrahedra_ + countTrian
 
 Task<> MeshVerifier::verify(Work& work) {
   work.beginPart(0.1);
+  isUsed_.assign(countNodes(mesh_), 0);
   const std::size_t numbers =
       std::max({std::size_t{countNodes(mesh_)}, std::size_t{countNodes(surface_)}, elementCount()});
   co_await work.forEachBlock(
@@ -115,57 +116,49 @@ Task<> MeshVerifier::verify(Work& work) {
   work.beginPart(0.4);
   co_await findCoincidentNodes(work);
 
+  // Elements may be made anew each time they are read, so their faces are counted beside.
+  NodeListPasses<Face> faces(countNodes(mesh_), elementCount(), maxFaces_);
   work.beginPart(0.5);
-  co_await work.forEachBlock(tetrahedra_, [this](std::size_t first, std::size_t last) {
-    mesh_.forEachElement(first, last, [this](TetId tet, const ElementSource::Element& element) {
+  co_await work.forEachBlock(tetrahedra_, [&](std::size_t first, std::size_t last) {
+    mesh_.forEachElement(first, last, [&](TetId tet, const ElementSource::Element& element) {
       checkTetrahedron(tet, element.corners);
+      for (const auto& [a, b, c] : kFaceCorners)
+        faces.count(std::min({element.nodes[a], element.nodes[b], element.nodes[c]}));
     });
   });
+  for (const TriangleId triangle : IdRange<TriangleId>(countTriangles(surface_)))
+    faces.count(std::ranges::min(nodesOf(surface_, triangle)));
+  faces.endCounting();
 
   work.beginPart(1.0);
-  co_await matchFaces(work);
+  co_await matchFaces(work, faces);
   findDuplicateTetrahedra();
   compareVolumes();
 }
 
 Task<> MeshVerifier::findCoincidentNodes(Work& work) {
   const std::size_t nodes = countNodes(mesh_);
-  std::vector<std::uint8_t> isUsed(nodes, 0);
-  work.beginPart(0.25);
-  co_await work.forEachBlock(tetrahedra_, [&](std::size_t first, std::size_t last) {
-    mesh_.forEachNodes(first, last, [&](TetId /*tet*/, const NodeQuad& tet) {
-      for (const NodeId node : tet) isUsed[node.index()] = 1;
-    });
-  });
   const auto bucketOf = [&](NodeId node) {
     return PositionBucketId(static_cast<std::size_t>(hashOf(pointOf(mesh_, node)) % nodes));
   };
   NodeLists<NodeId, PositionBucketId> buckets(nodes);
-  work.beginPart(0.5);
+  work.beginPart(0.4);
   co_await work.forEachId<NodeId>(nodes, [&](NodeId node) {
-    if (isUsed[node.index()] != 0) buckets.count(bucketOf(node));
+    if (isUsed_[node.index()] != 0) buckets.count(bucketOf(node));
   });
   buckets.endCounting();
-  work.beginPart(0.75);
+  work.beginPart(0.7);
   co_await work.forEachId<NodeId>(nodes, [&](NodeId node) {
-    if (isUsed[node.index()] != 0) buckets.add(bucketOf(node), node);
+    if (isUsed_[node.index()] != 0) buckets.add(bucketOf(node), node);
   });
   work.beginPart(1.0);
   co_await work.forEachId<PositionBucketId>(
       nodes, [&](PositionBucketId bucket) { comparePositions(buckets.at(bucket)); });
 }
 
-Task<> MeshVerifier::matchFaces(Work& work) {
-  NodeListPasses<Face> faces(countNodes(mesh_), elementCount(), maxFaces_);
-  work.beginPart(0.3);
-  co_await work.forEachBlock(elementCount(), [&](std::size_t first, std::size_t last) {
-    forEachFace(first, last, [&](const SortedFace& face, std::uint32_t /*owner*/) {
-      faces.count(face.nodes[0]);
-    });
-  });
-  faces.endCounting();
-  const double perPass = 0.7 / static_cast<double>(faces.passCount());
-  for (double done = 0.3; faces.beginPass(); done += perPass) {
+Task<> MeshVerifier::matchFaces(Work& work, NodeListPasses<Face>& faces) {
+  const double perPass = 1.0 / static_cast<double>(faces.passCount());
+  for (double done = 0.0; faces.beginPass(); done += perPass) {
     work.beginPart(done + 0.4 * perPass);
     co_await work.forEachId<FaceId>(faces.chunks().size(), [&](FaceId i) {
       const std::uint32_t chunk = faces.chunks()[i.index()];
@@ -203,7 +196,11 @@ void MeshVerifier::checkNumbers(std::size_t first, std::size_t last) {
   mesh_.forEachNodes(std::min(first, tetrahedra_), std::min(last, tetrahedra_),
                      [&](TetId tet, const NodeQuad& own) {
                        for (const NodeId node : own) {
-                         if (node.value >= nodes) report(defects_.invalidNumbers, tet);
+                         if (node.value >= nodes) {
+                           report(defects_.invalidNumbers, tet);
+                         } else {
+                           isUsed_[node.index()] = 1;
+                         }
                        }
                      });
   check(surface_.triangles, 3, EntityKind::kTriangle,

@@ -76,7 +76,8 @@ class MeshVerifier {
 
   Task<> verify(Work& work);
   Task<> findCoincidentNodes(Work& work);
-  Task<> matchFaces(Work& work);
+  /// Matches the faces of all elements, which `faces` has counted.
+  Task<> matchFaces(Work& work, NodeListPasses<Face>& faces);
 
   void checkNumbers(std::size_t first, std::size_t last);
   void checkKept(std::size_t first, std::size_t last);
@@ -106,7 +107,8 @@ class MeshVerifier {
   MeshView mesh_;
   const SurfaceMesh& surface_;
   std::size_t maxFaces_;
-  std::size_t tetrahedra_;  ///< number of them
+  std::vector<std::uint8_t> isUsed_;  ///< per node: whether an element has it
+  std::size_t tetrahedra_;            ///< number of them
   MeshDefects defects_;
   CompensatedSum volume_;        ///< of the tetrahedra
   std::vector<TetId> suspects_;  ///< tetrahedra at faces that do not match
