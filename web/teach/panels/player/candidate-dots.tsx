@@ -32,7 +32,7 @@ export function CandidateDots({ viewer }: { readonly viewer: Viewer }) {
     return viewer.onDrawn(follow);
   }, [viewer, scene]);
   if (!isShown) return null;
-  const isEarly = isBeforeTest(scene?.beat ?? null);
+  const isEarly = isBeforeTest(scene.beat);
   const point = (rank: number | null): void => player.state.setState({ pointed: rank });
   return (
     <div ref={box} role="group" aria-label={filmStrings.candidates} className={styles["dots"]}>
