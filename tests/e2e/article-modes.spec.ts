@@ -231,3 +231,25 @@ test("printing loads every figure and keeps the proportions of its drawing on pa
   await expect(page.locator("html")).not.toHaveAttribute("data-theme", "light");
   expect(lesson.errors).toEqual([]);
 });
+
+test("formulas on slides are not wider than their column", async ({ page }) => {
+  const lesson = new ArticlePage(page, false);
+  for (const number of [3, 4, 9]) {
+    await page.goto(`./lessons/${number}/?slides`);
+    const count = page.locator(".slide-count");
+    await expect(count).toHaveText(/^1 \/ \d+$/);
+    const slides = Number((await count.textContent())?.split("/")[1]);
+    let formulas = 0;
+    for (let i = 0; i < slides; i++) {
+      const shown = page.locator(".formula.displayed:visible");
+      formulas += await shown.count();
+      const excess = (): Promise<number[]> =>
+        shown.evaluateAll((all) => all.map((formula) => formula.scrollWidth - formula.clientWidth));
+      // Columns of KaTeX have an empty margin of 2 pixels.
+      await expect.poll(async () => Math.max(0, ...(await excess()))).toBeLessThanOrEqual(2);
+      await page.keyboard.press("PageDown");
+    }
+    expect(formulas).toBeGreaterThan(0);
+  }
+  expect(lesson.errors).toEqual([]);
+});

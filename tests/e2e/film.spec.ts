@@ -37,6 +37,12 @@ sharedTest(
     await page.keyboard.press("Home");
     await expect(bar).toHaveAttribute("aria-valuetext", "1 of 5: active face");
     await expect(sentence).toContainText("takes its active face");
+    // The list knows no verdict before the test.
+    const verdicts = page.getByTestId("lens").getByRole("cell", { name: "not tested yet" });
+    const count = await page.getByTestId(/^lens-candidate-/).count();
+    expect(count).toBeGreaterThan(1);
+    await expect(verdicts).toHaveCount(count);
+    await expect(page.getByTestId("lens-layer")).toHaveCount(0);
     const labels = page.getByTestId("lens-labels");
     await expect(labels).toContainText("base");
     await expect(labels).not.toContainText("ideal");
@@ -54,7 +60,14 @@ sharedTest(
     await page.getByTestId("player-beats").getByText("test", { exact: true }).click({ force: true });
     await expect(bar).toHaveAttribute("aria-valuetext", "4 of 5: test");
     await expect(sentence).toContainText(/was refused: .*face/);
+    await expect(verdicts).toHaveCount(0);
+    await expect(page.getByTestId("lens-layer")).toBeVisible();
     await expect(labels).toContainText("face");
+    // A candidate that is chosen before the test leads to it.
+    await bar.fill("3");
+    await page.getByTestId("lens-candidate-1").click();
+    await expect(bar).toHaveAttribute("aria-valuetext", "4 of 5: test");
+    await expect(page.getByTestId("lens-candidate-1")).toHaveAttribute("aria-pressed", "true");
     // The next step begins with its last beat.
     await button(page, "Step forward").click();
     await expect(bar).toHaveAttribute("aria-valuetext", /5 of 5/);
@@ -62,6 +75,31 @@ sharedTest(
     expect((await axe.analyze()).violations.map(({ id }) => id)).toEqual([]);
   },
 );
+
+sharedTest("the beats of an edge have sentences of their own", async ({ page }) => {
+  const app = await openRefusal(page);
+  await button(page, "First state of the phase").click();
+  await button(page, "First state of the phase").click();
+  await button(page, "Step forward").click();
+  await app.rest();
+  const sentence = page.getByTestId("lens-sentence");
+  await expect(sentence).toContainText("makes a triangle over the base edge");
+  for (const [beat, text] of [
+    ["1", "takes its active edge"],
+    ["2", "the best triangle"],
+    ["3", /candidates? (is|are) tried/],
+    ["5", "makes a triangle over the base edge"],
+  ] as const) {
+    await beatBar(page).fill(beat);
+    await expect(sentence).toContainText(text);
+    await expect(page.getByTestId("lens-formula")).toHaveCount(beat === "5" ? 1 : 0);
+  }
+  await button(page, "Last state of the phase").click();
+  // The next test begins within the volume.
+  await button(page, "Step forward").click();
+  await button(page, "Step forward").click();
+  await expect(app.viewport).toHaveAttribute("data-step", "1");
+});
 
 sharedTest("slow playing shows every beat, and the film can be switched off", async ({ page }) => {
   const app = await openRefusal(page);

@@ -109,3 +109,17 @@ test("a node lights in the list and in the picture, and a click in the picture t
   const after = (await lesson.value("A", "elements")) + (await lesson.value("A", "refused"));
   expect(after).toBe(refused + 1);
 });
+
+test("on paper, the verdict and both meshes stay, and what can only be pressed goes", async ({ page }) => {
+  const lesson = new ArticlePage(page, false);
+  await lesson.open("mesher");
+  await lesson.see("A");
+  const figure = lesson.figure("A");
+  while ((await lesson.value("A", "stalled")) === 0) await figure.locator('[data-choice="wait"]').click();
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  await page.emulateMedia({ media: "print" });
+  await expect(figure.locator(".verdict")).toBeVisible();
+  await expect(figure.locator(".score table")).toBeVisible();
+  for (const press of ['[data-result="again"]', '[data-tool="undo"]', '[data-level="boot"]'])
+    await expect(figure.locator(press)).toBeHidden();
+});

@@ -222,6 +222,16 @@ describe("a mistake is reported with its line and a remedy", () => {
       'lessons/9.md:9: "a" is no step. Write a whole number.',
     ],
     [
+      "tie that does not say what it does",
+      "Text\n[1](A.size)",
+      'lessons/9.md:10: "A.size" is no address. Write what it does before it: drag:, show:, go:, mark: or open:.',
+    ],
+    [
+      "picture",
+      "Text\n![a picture](a.png)",
+      'lessons/9.md:10: The picture "a.png" would not be in the site. Link to it, or use a figure.',
+    ],
+    [
       "lesson that is not written",
       "[x](../5/)",
       "lessons/9.md:9: There is no lesson 5 yet. Remove the link.",
@@ -371,6 +381,47 @@ describe("a mistake is reported with its line and a remedy", () => {
 
   test("one that stands twice in a line is reported once", () => {
     expect(mistakes("[1](show:B.x) [2](show:B.y)")).toEqual(["lessons/9.md:9: There is no figure B. Use A."]);
+  });
+
+  test("one in the head or a range of a figure is reported alone", () => {
+    expect(
+      mistakes(
+        "```figure fronts B\n```\n[1](drag:B.size), [1](show:B.x), $\\live{B.y}{1}$, [x](go:B step=0)",
+      ),
+    ).toEqual(['lessons/9.md:9: There is no figure "fronts". Use front.']);
+    expect(mistakes("```figure front B\nsize: 1 in 0-2\n```\n[1](drag:B.size)")).toEqual([
+      expect.stringContaining('lessons/9.md:10: "1 in 0-2" is no range.'),
+    ]);
+    expect(
+      mistakes("::: walk\n\n```figure front B\nsize: 1 in 0..2 by 1\n```\n\nText.\n\n@ B step=0\nText.\n:::"),
+    ).toEqual(['lessons/9.md:9: The walk has no stops. Add "::: stops" after the figure.']);
+  });
+
+  test("text without figures has a remedy, too", () => {
+    try {
+      compileLesson("# Title\n\n> The lead.\n\n[1](show:A.x)", "lessons/9.md", context);
+      expect.unreachable();
+    } catch (error) {
+      expect(String(error)).toContain(
+        "lessons/9.md:5: There is no figure A. Add a block ```figure, with its kind and its letter.",
+      );
+    }
+  });
+
+  test("a file may begin with a byte order mark, and have lines of Windows", () => {
+    const source = `# Title\n\n> The lead.\n\n${figure}\n[1](show:A.triangles)\n`;
+    const { html } = compileLesson(source, "lessons/9.md", context);
+    expect(compileLesson(`\uFEFF${source.replaceAll("\n", "\r\n")}`, "lessons/9.md", context).html).toBe(
+      html,
+    );
+  });
+
+  test("mistakes are in the order of their lines", () => {
+    expect(
+      mistakes("[1](show:A.x)\n\n```task\nask: a\nuntil: 1 == 1\nbecause: b\n!\n```").map((line) =>
+        Number(line.split(":")[1]),
+      ),
+    ).toEqual([9, 15]);
   });
 
   test("all mistakes at once", () => {

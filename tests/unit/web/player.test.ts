@@ -137,6 +137,21 @@ describe("the buffers of the front", () => {
 });
 
 describe("the player", () => {
+  it("knows verdicts from the beat of the test on: a candidate that is chosen before leads there", async () => {
+    const player = playerOf(newApp());
+    await player.open(bytes);
+    player.seek(1);
+    for (const [beat, after] of [
+      [2, 4],
+      [4, 4],
+      [null, null],
+    ] as const) {
+      player.showBeat(beat);
+      player.choose(0);
+      expect(player.state.getState()).toMatchObject({ candidate: 0, beat: after });
+    }
+  });
+
   it("moves within the trace, and forgets the chosen candidate", async () => {
     const player = playerOf(newApp());
     await player.open(bytes);

@@ -176,4 +176,10 @@ it("shows the whole model again at the end of a film", () => {
   expect(fit).toHaveBeenCalledTimes(1);
   player.setState({ apart: 0.5 });
   expect(fit).toHaveBeenCalledTimes(1);
+  // The earlier beats of the last step are about its face, all from one place.
+  fitPositions.mockReset();
+  for (const beat of [1, 2]) player.setState({ beat });
+  expect(fitPositions).toHaveBeenCalledTimes(1);
+  player.setState({ beat: null });
+  expect(fit).toHaveBeenCalledTimes(2);
 });

@@ -310,6 +310,13 @@ export class Player {
     return true;
   }
 
+  /** Chooses a candidate of the present step. Its verdict is not known before the beat of the test, so an earlier beat gives way to it. */
+  choose(rank: number): void {
+    const { trace, step, beat } = this.state.getState();
+    const test = trace && beat !== null ? beatsOf(trace, step).indexOf("test") + 1 : 0;
+    this.state.setState({ candidate: rank, ...(beat !== null && beat < test && { beat: test }) });
+  }
+
   /** Plays from the present state; from the first one of the volume if the present one is the last. */
   play(): void {
     const { trace, step, loop, beat } = this.state.getState();

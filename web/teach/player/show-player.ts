@@ -57,20 +57,26 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
   const sweeps = new SweepLayer(trace);
   const surface = new SurfaceLayer(trace);
   /** What the view has moved to last; null if the last state was about no face or edge, or was shown too briefly. */
-  let followed: { readonly step: number; readonly scene: LensScene | null } | null = null;
+  let followed: {
+    readonly step: number;
+    readonly scene: LensScene | null;
+    readonly isFilled: boolean;
+  } | null = null;
   /** Whether the view shows the whole model, as far as following has moved it. */
   let isWhole = true;
   const follow = (state: PlayerState, scene: LensScene | null): void => {
-    // The beats of a film are seen from one place.
-    if (followed?.step === state.step && (state.film || followed.scene === scene)) return;
+    const filled = isFilled(state);
+    // The beats of a film are seen from one place, but for the filled volume at its end.
+    const isSeen = followed?.step === state.step && followed.isFilled === filled;
+    if (isSeen && (state.film || followed?.scene === scene)) return;
     const isMoving = state.isPlaying || state.step !== state.lensStep;
-    if (state.film && !isMoving && (isFilled(state) || state.step === 0)) {
+    if (state.film && !isMoving && (filled || state.step === 0)) {
       if (!isWhole) viewer.framing.fit(null);
-      [isWhole, followed] = [true, { step: state.step, scene }];
+      [isWhole, followed] = [true, { step: state.step, scene, isFilled: filled }];
       return;
     }
     const positions = positionsToFollow(trace, state, scene);
-    followed = positions && { step: state.step, scene };
+    followed = positions && { step: state.step, scene, isFilled: filled };
     if (!positions) return;
     isWhole = false;
     const from = state.film && scene ? emptySide(scene, viewer) : null;

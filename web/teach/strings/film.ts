@@ -41,6 +41,12 @@ export const filmStrings = {
         ? "One candidate is tried."
         : `${formatCounted(count, "candidate")} are tried, the best score first.`,
   },
+  planarSentences: {
+    edge: "The front takes its active edge: a triangle is to be made over it.",
+    ideal: "The ideal point is where a new node would make the best triangle.",
+  },
+  /** Instead of the verdict on a candidate, in beats before the test. */
+  untested: "not tested yet",
   /** Labels of a station on a line. */
   station: {
     size: (size: number) => `size ${short(size)}`,

@@ -44,6 +44,8 @@ class Compiler {
   readonly #mistakes: LessonMistake[] = [];
   readonly #formulas = new FormulaSheet();
   readonly #figures = new Map<string, PlannedFigure>();
+  /** Letters of figures whose kind is a mistake: what the text says of them cannot be checked. */
+  readonly #unread = new Set<string>();
   readonly #markdown = makeMarkdown((inline) => this.#inlineHtml(inline));
   readonly #numbers = new Set<string>();
   #tasks = 0;
@@ -64,7 +66,7 @@ class Compiler {
       lead ? `<p class="lead">${this.#inlineText(lead)}</p>` : "",
       ...blocks.map((block) => this.#blockHtml(block)),
     ];
-    if (this.#mistakes.length > 0) throw new LessonError(this.#mistakes);
+    if (this.#mistakes.length > 0) throw new LessonError(this.#mistakes.toSorted((a, b) => a.line - b.line));
     const summary = (lead?.text ?? "").replaceAll(/\[([^\]]+)\]\([^)]*\)/g, "$1").replaceAll(/\s+/g, " ");
     return { title, summary, html: withPunctuation(html.join("\n")), css: this.#formulas.css };
   }
@@ -80,7 +82,10 @@ class Compiler {
     if (block.kind === "walk" && block.figure) this.#plan(block.figure);
     if (block.kind !== "figure") return;
     const planned = planFigure(block, this.context.declarations, this.#note);
-    if (!planned) return;
+    if (!planned) {
+      this.#unread.add(letterOf(block));
+      return;
+    }
     if (this.#figures.has(planned.plan.id))
       this.#note(block.line, `There are two figures ${planned.plan.id}.`, "Give one of them another letter.");
     else this.#figures.set(planned.plan.id, planned);
@@ -114,7 +119,7 @@ class Compiler {
   }
 
   #figureHtml(block: FigureBlock): string {
-    const id = block.head.split(/\s+/)[1] ?? "";
+    const id = letterOf(block);
     const figure = this.#figures.get(id);
     if (!figure) return "";
     const { plan, declaration, caption } = figure;
@@ -155,6 +160,12 @@ class Compiler {
       else if (inline.type === "formula") this.#checkFormula(inline.tex, at);
       else if (inline.type === "choice") this.#checkChoice(inline.branches, at);
       else if (inline.type === "link") this.#checkLink(inline.address, at);
+      else if (inline.type === "picture")
+        this.#note(
+          at,
+          `The picture "${inline.address}" would not be in the site.`,
+          "Link to it, or use a figure.",
+        );
       else this.#note(at, `There is no tie "${inline.kind}".`, `Use ${listOf(tieKinds)}.`);
     }
   }
@@ -176,11 +187,13 @@ class Compiler {
 
   #figureOf(id: string, line: number): PlannedFigure | undefined {
     const figure = this.#figures.get(id);
-    if (!figure)
+    if (!figure && !this.#unread.has(id))
       this.#note(
         line,
         `There is no figure ${id === "" ? "without a letter" : id}.`,
-        `Use ${listOf([...this.#figures.keys()])}.`,
+        this.#figures.size > 0
+          ? `Use ${listOf([...this.#figures.keys()])}.`
+          : "Add a block ```figure, with its kind and its letter.",
       );
     return figure;
   }
@@ -199,13 +212,18 @@ class Compiler {
     const [id = "", name = ""] = target.split(".");
     const figure = this.#figureOf(id, line);
     if (!figure) return;
-    const { ranges } = figure.plan;
-    const range = ranges[name];
-    if (!range)
+    const numbers = Object.entries(figure.declaration.options).flatMap(([each, { type }]) =>
+      type === "number" ? [each] : [],
+    );
+    // The range of a number that the figure has may be a mistake, noted before.
+    const range = figure.plan.ranges[name];
+    if (!numbers.includes(name))
       this.#note(
         line,
         `"${target}" cannot be dragged.`,
-        `Use ${listOf(Object.keys(ranges).map((each) => `${id}.${each}`))}.`,
+        numbers.length > 0
+          ? `Use ${listOf(numbers.map((each) => `${id}.${each}`))}.`
+          : "Show it by show: instead.",
       );
     const [text] = /^[-−]?[\d.]+/.exec(label) ?? [];
     if (text === undefined)
@@ -286,6 +304,12 @@ class Compiler {
   }
 
   #checkLink(address: string, line: number): void {
+    if (/^[A-Z]([.\s]|$|%20)/.test(address))
+      return this.#note(
+        line,
+        `"${decodeURI(address)}" is no address.`,
+        `Write what it does before it: ${listOf(tieKinds.map((kind) => `${kind}:`))}.`,
+      );
     const [, number] = /^\.\.\/(\d+)\/$/.exec(address) ?? [];
     if (number !== undefined && !this.context.lessons.includes(Number(number)))
       this.#note(line, `There is no lesson ${number} yet.`, "Remove the link.");
@@ -363,4 +387,9 @@ class Compiler {
     this.#numbers.add(target);
     return `<span class="drag" role="slider" tabindex="0" data-drag="${attribute(target)}" data-unit="${attribute(unit)}"${isAgain ? "" : ` data-testid="${testId}"`} aria-label="${attribute(range.label)}" aria-valuemin="${range.min}" aria-valuemax="${range.max}" aria-valuenow="${range.start}" aria-valuetext="${attribute(label)}">${attribute(label)}</span>`;
   }
+}
+
+/** Returns the letter of a figure, the second word of its head. */
+function letterOf({ head }: FigureBlock): string {
+  return head.split(/\s+/)[1] ?? "";
 }

@@ -54,7 +54,8 @@ export interface LessonParts {
 
 /** Returns the parts of a lesson. Mistakes are noted, and what is readable is returned. */
 export function splitLesson(source: string, note: NoteMistake): LessonParts {
-  return new Splitter(source.split(/\r?\n/), note).split();
+  // Some editors begin a file with a byte order mark.
+  return new Splitter(source.replace(/^\uFEFF/, "").split(/\r?\n/), note).split();
 }
 
 class Splitter {
@@ -69,7 +70,11 @@ class Splitter {
     this.#skipBlank();
     const title = /^# (.+)$/.exec(this.#line)?.[1] ?? "";
     if (title === "")
-      this.note(this.#next + 1, "The title is missing.", 'Begin the file with a line "# Title".');
+      this.note(
+        this.#isOver ? 1 : this.#next + 1,
+        "The title is missing.",
+        'Begin the file with a line "# Title".',
+      );
     else this.#next++;
     this.#skipBlank();
     return { title, lead: this.#lead(), blocks: this.#blocks() };
@@ -149,22 +154,22 @@ class Splitter {
   #walk(): WalkBlock {
     const line = ++this.#next;
     let figure: FigureBlock | null = null;
+    let textLine: number | null = null;
     for (; !this.#isOver && !/^::: stops\s*$/.test(this.#line) && this.#line !== ":::";) {
       const block = this.#fenced();
       if (block?.kind === "figure") figure = block;
-      else if (block || this.#line.trim() !== "")
-        this.note(
-          block?.line ?? this.#next + 1,
-          "A walk begins with its figure.",
-          'Put the text after "::: stops".',
-        );
+      else if (block || this.#line.trim() !== "") textLine ??= block?.line ?? this.#next + 1;
       if (!block) this.#next++;
     }
     if (!figure) this.note(line, "The walk has no figure.", 'Add a block ```figure before "::: stops".');
     if (!/^::: stops/.test(this.#line)) {
       this.note(line, "The walk has no stops.", 'Add "::: stops" after the figure.');
+      // Its end, or that of the file.
+      this.#next++;
       return { kind: "walk", line, figure, stops: [] };
     }
+    if (textLine !== null)
+      this.note(textLine, "A walk begins with its figure.", 'Put the text after "::: stops".');
     this.#next++;
     return { kind: "walk", line, figure, stops: this.#stops(line) };
   }

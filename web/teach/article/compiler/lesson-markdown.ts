@@ -26,6 +26,7 @@ export type Inline =
   | { readonly type: "formula"; readonly tex: string; readonly isDisplayed: boolean }
   | { readonly type: "choice"; readonly branches: readonly Branch[] }
   | { readonly type: "link"; readonly address: string }
+  | { readonly type: "picture"; readonly address: string }
   /** What is written like a tie, of a kind that does not exist. */
   | { readonly type: "unknown"; readonly kind: string };
 
@@ -59,7 +60,7 @@ export function makeMarkdown(render: (inline: Inline) => string): MarkdownIt {
   return markdown;
 }
 
-/** Returns all ties, formulas and links of a text with their lines. */
+/** Returns all ties, formulas, links and pictures of a text with their lines. */
 export function inlinesIn(markdown: MarkdownIt, text: string): readonly PlacedInline[] {
   return markdown.parse(text, {}).flatMap((token) => {
     const first = token.map?.[0] ?? 0;
@@ -99,6 +100,7 @@ function inlineOf(token: Token): Inline | null {
   if (token.type === "formula") return { type: "formula", tex: token.content, isDisplayed: token.block };
   if (token.type === "choice") return { type: "choice", branches: token.meta as readonly Branch[] };
   if (token.type === "link_open") return { type: "link", address: token.attrGet("href") ?? "" };
+  if (token.type === "image") return { type: "picture", address: token.attrGet("src") ?? "" };
   return null;
 }
 

@@ -16,6 +16,11 @@ interface Slide {
 const onKeys: ReadonlySet<string> = new Set(["PageDown", "ArrowRight", "ArrowDown", " ", "Enter"]);
 const backKeys: ReadonlySet<string> = new Set(["PageUp", "ArrowLeft", "ArrowUp", "Backspace"]);
 
+/** Part of its column that a formula made smaller has at most: its numbers may get more digits. */
+const roomForDigits = 0.92;
+/** Columns of KaTeX have a margin of as many pixels that is no ink. */
+const emptyMargin = 2;
+
 export class Slides {
   readonly #slides: readonly Slide[];
   readonly #root = document.documentElement;
@@ -29,6 +34,11 @@ export class Slides {
     document.body.append(this.#count);
     // Before the figures, whose numbers have these keys, too.
     window.addEventListener("keydown", (event) => this.#key(event), { capture: true });
+    window.addEventListener("resize", () => this.#fitFormulas());
+    document.fonts.addEventListener("loadingdone", () => this.#fitFormulas());
+    const numbers = new MutationObserver(() => this.#isOn && this.#fitFormulas());
+    for (const formula of document.querySelectorAll(".formula.displayed"))
+      numbers.observe(formula, { childList: true, characterData: true, subtree: true });
     if (new URLSearchParams(location.search).has("slides")) this.#show(0);
   }
 
@@ -89,8 +99,19 @@ export class Slides {
     this.#count.textContent = `${to + 1} / ${this.#slides.length}`;
     this.#button.textContent = "Article";
     window.scrollTo(0, 0);
+    this.#fitFormulas();
     if (slide.figure) void this.figures.get(slide.figure.id.replace("figure-", ""))?.load();
     if (slide.destination !== null && !isSame) goTo(this.figures, slide.destination);
+  }
+
+  /** Makes formulas smaller that are wider than the column of a slide: nobody scrolls them in a lecture. */
+  #fitFormulas(): void {
+    for (const formula of document.querySelectorAll<HTMLElement>(".formula.displayed")) {
+      formula.style.fontSize = "";
+      if (!this.#isOn || formula.scrollWidth <= formula.clientWidth + emptyMargin) continue;
+      const share = (roomForDigits * formula.clientWidth) / formula.scrollWidth;
+      formula.style.fontSize = `${share * Number.parseFloat(getComputedStyle(formula).fontSize)}px`;
+    }
   }
 
   #end(): void {
@@ -101,6 +122,7 @@ export class Slides {
     for (const each of document.querySelectorAll("[data-on]")) each.removeAttribute("data-on");
     this.#button.textContent = "Slides";
     this.#count.textContent = "";
+    this.#fitFormulas();
     part?.scrollIntoView({ block: "center" });
     // A page that is loaded again stays the article.
     const address = new URL(location.href);

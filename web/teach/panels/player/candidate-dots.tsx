@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef } from "react";
+import { isBeforeTest } from "../../player/beats";
 import { lensSceneOf } from "../../player/lens-scene";
 import { filmStrings } from "../../strings/film";
 import { playerStrings as texts } from "../../strings/player";
@@ -31,6 +32,7 @@ export function CandidateDots({ viewer }: { readonly viewer: Viewer }) {
     return viewer.onDrawn(follow);
   }, [viewer, scene]);
   if (!isShown) return null;
+  const isEarly = isBeforeTest(scene.beat);
   const point = (rank: number | null): void => player.state.setState({ pointed: rank });
   return (
     <div ref={box} role="group" aria-label={filmStrings.candidates} className={styles["dots"]}>
@@ -44,13 +46,13 @@ export function CandidateDots({ viewer }: { readonly viewer: Viewer }) {
           aria-label={filmStrings.candidate(
             i + 1,
             texts.marks.node(isNew ? null : node),
-            texts.verdictAt(texts.verdicts[verdict], culprit),
+            isEarly ? filmStrings.untested : texts.verdictAt(texts.verdicts[verdict], culprit),
           )}
           onPointerEnter={() => point(i)}
           onPointerLeave={() => point(null)}
           onFocus={() => point(i)}
           onBlur={() => point(null)}
-          onClick={() => player.state.setState({ candidate: i })}
+          onClick={() => player.choose(i)}
         />
       ))}
     </div>

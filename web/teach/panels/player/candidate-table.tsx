@@ -100,7 +100,7 @@ function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTableProps)
                   aria-pressed={i === chosen}
                   onFocus={() => point(i)}
                   onBlur={() => point(null)}
-                  onClick={() => player.state.setState({ candidate: i })}
+                  onClick={() => player.choose(i)}
                 >
                   {texts.candidateName(i + 1, name)}
                 </button>

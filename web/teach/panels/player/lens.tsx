@@ -2,7 +2,7 @@ import { Text } from "@mantine/core";
 import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
 import type { AdvanceStep } from "tetrafront/trace";
 import { isBeforeTest, playsBeats } from "../../player/beats";
-import { beatAt, elementsShown } from "../../player/film-state";
+import { beatAt, elementsShown, isUnfinished } from "../../player/film-state";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { examinedIn, lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
@@ -69,6 +69,7 @@ function VolumeLens() {
 const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: UnderLens) {
   const trace = useTrace();
   const beat = usePlayer(beatAt);
+  const hasEnded = usePlayer((state) => !isUnfinished(state));
   const step = useMemo(() => trace.stepAt(number), [trace, number]);
   const examined = useMemo(() => {
     if (step?.kind !== "advance") return null;
@@ -81,6 +82,7 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
   if (!step) return <Text size="sm">{texts.beforeFirst}</Text>;
   if (step.kind === "recovery")
     return <p>{texts.recovery(step.change, recoveryCounts(trace, step), beat)}</p>;
+  const isEarly = scene !== null && isBeforeTest(scene.beat);
   return (
     <>
       {examined && (
@@ -90,8 +92,8 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
       )}
       <CandidatesAndFormulas
         label={texts.candidates}
-        rows={rowsOf(step)}
-        chosen={chosen ?? examinedIn(step, scene?.beat ?? null)}
+        rows={rowsOf(step, isEarly)}
+        chosen={chosen ?? (isEarly ? null : examinedIn(step, scene?.beat ?? null))}
         scoreHint={texts.scoreHint}
         further={
           <Suspense fallback={null}>
@@ -99,21 +101,21 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
           </Suspense>
         }
       >
-        {examined && (
+        {examined && !isEarly && (
           <Suspense fallback={null}>
             <RefusalFormula step={step} candidate={examined.candidate} />
           </Suspense>
         )}
-        {examined?.test && (
+        {examined?.test && !isEarly && (
           <Suspense fallback={null}>
             <CrossingFormula {...examined.test} />
           </Suspense>
         )}
       </CandidatesAndFormulas>
-      {number === trace.stepCount && <End />}
-      {examined && <WhatIf examined={examined} />}
-      {change !== null && <p data-testid="lens-front-change">{change}</p>}
-      {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
+      {number === trace.stepCount && hasEnded && <End />}
+      {examined && !isEarly && <WhatIf examined={examined} />}
+      {change !== null && !isEarly && <p data-testid="lens-front-change">{change}</p>}
+      {step.outcome === "postponed" && !isEarly && <p>{texts.postponed(step.nextRuleClass)}</p>}
       <FaceFacts step={step} />
     </>
   );
@@ -126,12 +128,13 @@ function earlySentence({ candidates }: AdvanceStep, scene: LensScene | null): st
   return scene.beat === "base" ? base : scene.beat === "ideal" ? ideal : tried(candidates.length);
 }
 
-function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
+/** `isEarly`: the verdicts are not known yet. */
+function rowsOf({ candidates }: AdvanceStep, isEarly: boolean): readonly CandidateRow[] {
   const scores = recordedScores(candidates);
   return candidates.map(({ node, isNew, verdict, culprit }, i) => ({
     name: isNew ? null : node,
     score: scores[i] ?? "",
-    verdict: texts.verdictAt(texts.verdicts[verdict], culprit),
+    verdict: isEarly ? filmStrings.untested : texts.verdictAt(texts.verdicts[verdict], culprit),
   }));
 }
 

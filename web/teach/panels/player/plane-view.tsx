@@ -166,7 +166,7 @@ function Step({
           cx={x}
           cy={y}
           r={1.3 * dot * size}
-          onClick={() => player.state.setState({ candidate: i })}
+          onClick={() => player.choose(i)}
         />
       ))}
     </>

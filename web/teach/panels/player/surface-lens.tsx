@@ -1,6 +1,7 @@
 import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
 import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
+import { isBeforeTest } from "../../player/beats";
 import { beatAt } from "../../player/film-state";
 import { labelAt, type EntityLabels } from "../../player/entity-labels";
 import {
@@ -9,6 +10,7 @@ import {
   supposedCandidate,
   type PlanarLensCandidate,
 } from "../../player/planar-lens";
+import { filmStrings, type Beat } from "../../strings/film";
 import { playerStrings } from "../../strings/player";
 import { formatShort } from "../../../strings/format";
 import { BaseFacts, type Fact } from "./base-facts";
@@ -77,7 +79,9 @@ function stationSentence({ end, startSize, length, rounds }: StationStep, line: 
 
 function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly step: EdgeStep }) {
   const rank = usePlayer((state) => state.candidate);
-  const chosen = candidateInBeat(step, rank, usePlayer(beatAt));
+  const beat = usePlayer(beatAt);
+  const isEarly = isBeforeTest(beat);
+  const chosen = candidateInBeat(step, rank, beat);
   const examined = useMemo(() => {
     const candidate = chosen === null ? undefined : step.candidates[chosen];
     return candidate ? examineCandidate(front, step, candidate) : null;
@@ -95,33 +99,46 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
   const rows = step.candidates.map((candidate) => ({
     name: candidate.isNew ? null : candidate.node,
     score: candidate.score.toFixed(3),
-    verdict: texts.verdictAt(texts.patch.verdicts[candidate.verdict], candidate.culprit),
+    verdict: isEarly
+      ? filmStrings.untested
+      : texts.verdictAt(texts.patch.verdicts[candidate.verdict], candidate.culprit),
   }));
   return (
     <>
       {examined && (
         <p data-testid="lens-sentence">
-          <b>{planarSentenceOf(examined.candidate)}</b>
+          <b>{earlySentence(step, beat) ?? planarSentenceOf(examined.candidate)}</b>
         </p>
       )}
       <CandidatesAndFormulas
         label={texts.patch.candidates}
         rows={rows}
-        chosen={chosen}
+        chosen={isEarly ? rank : chosen}
         scoreHint={texts.patch.scoreHint}
       >
-        {examined && (
+        {examined && !isEarly && (
           <Suspense fallback={null}>
             <PlanarFormula front={front} step={step} examined={examined} />
           </Suspense>
         )}
       </CandidatesAndFormulas>
-      {examined && <WhatIf examined={examined} />}
+      {examined && !isEarly && <WhatIf examined={examined} />}
       {supposed && <p data-testid="lens-front-change">{texts.patch.supposed(supposed.isNew)}</p>}
-      {step.outcome === "postponed" && <p>{texts.patch.postponed(step.nextPass)}</p>}
+      {step.outcome === "postponed" && !isEarly && <p>{texts.patch.postponed(step.nextPass)}</p>}
       <BaseFacts title={texts.patch.base(step.edge)} facts={facts} hint={texts.patch.whyNow} />
     </>
   );
+}
+
+/** Returns what a beat before the test is about; null for later ones. */
+function earlySentence({ candidates }: EdgeStep, beat: Beat | null): string | null {
+  if (!isBeforeTest(beat)) return null;
+  const { edge, ideal } = filmStrings.planarSentences;
+  return beat === "edge"
+    ? edge
+    : beat === "ideal"
+      ? ideal
+      : filmStrings.sentences.candidates(candidates.length);
 }
 
 function WhatIf({ examined }: { readonly examined: PlanarLensCandidate }) {

@@ -3,7 +3,7 @@ import { useShell } from "../../../panels/shared/app-context";
 import { useLayout } from "../../../panels/shared/use-layout";
 import { usePlayer } from "./use-player";
 
-/** From this width on, there is room for the enlarged lens and the enlarged text of a lesson beside the view. */
+/** From this width on, there is room for the enlarged lens of presenter mode beside the view. */
 const roomForAudience = "(min-width: 1280px)";
 
 /**
