@@ -242,9 +242,10 @@ bool MeshRun::Impl::limitElements() {
   const double expected = std::max(forSizes, forVolumes);
   const bool hasLattices =
       options_.interior != Interior::kFront && !records_ && !field_->isStretched();
-  const double limit = std::min(
-      static_cast<double>(options_.maxTetrahedra),
-      std::floor(elementsWithin(kAddressableBytes, countTriangles(surface_), hasLattices)));
+  const double limit =
+      std::min(static_cast<double>(options_.maxTetrahedra),
+               std::floor(elementsWithin(
+                   kAddressableBytes, static_cast<double>(countTriangles(surface_)), hasLattices)));
   if (expected <= limit) {
     expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
     return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "preview/surface_sampler.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
+#include "sizing/memory_limit.h"
 #include "sizing/most_demanding.h"
 #include "sizing/volume_sizes.h"
 
@@ -144,11 +146,16 @@ class InputCheck {
   void checkCount(const Bounds& bounds) {
     const Vec3 edges = bounds.high - bounds.low;
     const double volume = volume_.value_or(kMinFilledPart * edges.x * edges.y * edges.z);
-    const double expected = std::max(volume * tetrahedraPerVolume(bounds.low, bounds.high, *field_),
-                                     tetrahedraAtTriangles(sampled_.preview, *field_));
-    if (expected <= static_cast<double>(options_->maxTetrahedra)) return;
-    Diagnostic& tooMany =
-        diagnostics_.emplace_back(tooManyElements(expected, options_->maxTetrahedra));
+    const double atTriangles = tetrahedraAtTriangles(sampled_.preview, *field_);
+    const double expected =
+        std::max(volume * tetrahedraPerVolume(bounds.low, bounds.high, *field_), atTriangles);
+    const bool hasLattices = options_->interior != Interior::kFront && !field_->isStretched();
+    const double limit =
+        std::min(static_cast<double>(options_->maxTetrahedra),
+                 std::floor(elementsWithin(kAddressableBytes,
+                                           kTrianglesPerTetrahedron * atTriangles, hasLattices)));
+    if (expected <= limit) return;
+    Diagnostic& tooMany = diagnostics_.emplace_back(tooManyElements(expected, limit));
     nameMostDemanding(tooMany, *grid_, *options_, bounds);
   }
 

@@ -4,10 +4,10 @@
 
 namespace tetrafront {
 
-double elementsWithin(double bytes, std::size_t triangles, bool hasLattices) {
+double elementsWithin(double bytes, double triangles, bool hasLattices) {
   const double byFront = bytes / kBytesPerFrontElement;
   if (!hasLattices) return byFront;
-  const double left = bytes - kBytesPerTriangle * static_cast<double>(triangles);
+  const double left = bytes - kBytesPerTriangle * triangles;
   return std::max(byFront, left / kBytesPerLatticeElement);
 }
 

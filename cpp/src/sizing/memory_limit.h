@@ -19,7 +19,7 @@ inline constexpr double kBytesPerLatticeElement = 10.0;
 inline constexpr double kBytesPerTriangle = 2500.0;
 
 /// Returns how many elements a run can have in so many bytes. `hasLattices`: whether lattices may fill most of the inside.
-[[nodiscard]] double elementsWithin(double bytes, std::size_t triangles, bool hasLattices);
+[[nodiscard]] double elementsWithin(double bytes, double triangles, bool hasLattices);
 
 /// Returns how many elements a front can make beside so many others, of lattices or of other regions.
 [[nodiscard]] std::uint32_t frontElementsBeside(double bytes, std::size_t others);

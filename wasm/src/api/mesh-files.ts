@@ -10,10 +10,11 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
-import type { BlockedMesh, BlockWriter } from "../formats/blocks.js";
 import { type ByteSource, checkSource, watcher } from "../formats/byte-source.js";
 import { joined, type Part, piecesIn } from "../formats/bytes.js";
 import type {
+  BlockedMesh,
+  BlockWriter,
   Contents,
   FileFormat,
   FileParts,

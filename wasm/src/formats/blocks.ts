@@ -2,23 +2,8 @@
 import type { ElementBlocks } from "../mesh/element-blocks.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { Part } from "./bytes.js";
-import type { Note } from "./file-format.js";
+import type { BlockedMesh, Note } from "./file-format.js";
 import { fitToFormat, type FormatLimits } from "./format-limits.js";
-import type { Spool } from "./spool.js";
-
-/** The boundary of a mesh with its patches and regions, and the blocks of its nodes and tetrahedra. */
-export interface BlockedMesh {
-  readonly mesh: Mesh;
-  readonly blocks: ElementBlocks;
-}
-
-/** Yields the content of a file, in order. */
-export type BlockWriter = (
-  mesh: BlockedMesh,
-  note: Note,
-  createSpool: () => Spool,
-) => AsyncGenerator<Part, void>;
 
 /** Number of nodes or tetrahedra that are read at once. */
 const BLOCK = 1 << 16;

@@ -3,8 +3,8 @@
  * entry in file-formats.ts.
  */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { ElementBlocks } from "../mesh/element-blocks.js";
 import type { Mesh } from "../mesh/mesh.js";
-import type { BlockWriter } from "./blocks.js";
 import type { ByteSource } from "./byte-source.js";
 import type { Part } from "./bytes.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -78,6 +78,19 @@ export type MeshWriter = (
   note: Note,
   createSpool?: () => Spool,
 ) => readonly FileParts[];
+
+/** The boundary of a mesh with its patches and regions, and the blocks of its nodes and tetrahedra. */
+export interface BlockedMesh {
+  readonly mesh: Mesh;
+  readonly blocks: ElementBlocks;
+}
+
+/** Yields the content of a file, in order. */
+export type BlockWriter = (
+  mesh: BlockedMesh,
+  note: Note,
+  createSpool: () => Spool,
+) => AsyncGenerator<Part, void>;
 
 /** Code of a format, loaded on demand. */
 export interface FormatCode {

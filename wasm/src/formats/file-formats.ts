@@ -5,9 +5,17 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import type { Part } from "./bytes.js";
-import type { Contents, FileFormat, FormatCode, MeshReader, MeshWriter, Note } from "./file-format.js";
+import type {
+  BlockWriter,
+  Contents,
+  FileFormat,
+  FormatCode,
+  MeshReader,
+  MeshWriter,
+  Note,
+} from "./file-format.js";
 import type { Mesh } from "../mesh/mesh.js";
-import { type BlockWriter, fitBlocksToFormat } from "./blocks.js";
+import { fitBlocksToFormat } from "./blocks.js";
 import { fitToFormat, type FormatLimits } from "./format-limits.js";
 import type { WrittenMesh } from "./second-order.js";
 

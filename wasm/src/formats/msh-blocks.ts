@@ -1,9 +1,9 @@
 /** Writes Gmsh MSH 4.1, as msh.ts does, of a mesh whose elements are handed out in blocks: the same bytes. */
 import { inSteps } from "../calls/yielder.js";
 import type { ElementBlocks } from "../mesh/element-blocks.js";
-import { type BlockedMesh, pointsIn, tetrahedraIn, withExamples } from "./blocks.js";
+import { pointsIn, tetrahedraIn, withExamples } from "./blocks.js";
 import type { Part } from "./bytes.js";
-import type { Note } from "./file-format.js";
+import type { BlockedMesh, Note } from "./file-format.js";
 import { countIn, elementCount, elementRows, entityElements, mshHead, nodeTags } from "./msh.js";
 
 /** Yields the content of an MSH file. */

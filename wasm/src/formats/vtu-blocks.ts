@@ -1,8 +1,8 @@
 /** Writes VTU, as vtu.ts does, of a mesh whose elements are handed out in blocks: the same bytes. */
 import { inPieces } from "../base/steps.js";
-import { type BlockedMesh, pointsIn, regionInRuns, tetrahedraIn, withExamples } from "./blocks.js";
+import { pointsIn, regionInRuns, tetrahedraIn, withExamples } from "./blocks.js";
 import type { Part } from "./bytes.js";
-import type { Note } from "./file-format.js";
+import type { BlockedMesh, Note } from "./file-format.js";
 import type { Spool } from "./spool.js";
 import { type CellValues, vtkCellData } from "./vtk.js";
 import { ArrayPacker, type PackedArray, VTU_ARRAYS, vtuFile } from "./vtu.js";
