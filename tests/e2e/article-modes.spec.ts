@@ -35,7 +35,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await expect(answer).toBeHidden();
       await task.getByRole("button", { name: "Show the answer" }).click();
       await expect(answer).toBeVisible();
-      await expect(answer).toContainText("It is 26° there");
+      await expect(answer).toContainText("It is 27° there");
       await lesson.isUndone();
       expect(lesson.errors).toEqual([]);
     });
