@@ -1,12 +1,15 @@
 /** The lessons themselves, as they are built into the site. */
-import { readFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import path from "node:path";
+import { build } from "vite";
 import { describe, expect, test } from "vitest";
 import { compileLesson } from "../../../web/teach/article/compiler/compile-lesson";
 import { declarations } from "../../../web/teach/article/declarations";
 import {
   lessonEntries,
   lessonNumbers,
+  lessonSite,
   makeLessonPage,
 } from "../../../web/teach/article/compiler/lesson-site";
 
@@ -94,5 +97,26 @@ test("every kind of figure is in the documentation, with all that the text may u
     const { values = {}, marks = {}, options = {} } = declarations[kind] ?? {};
     for (const name of [...Object.keys(marks), ...Object.keys(options)]) expect(row).toContain(`\`${name}\``);
     expect(Object.keys(values).filter((name) => !row.includes(`\`${name.replace(/\d$/, "")}`))).toEqual([]);
+  }
+});
+
+test("a build with mistakes in a lesson tells each of them once", async () => {
+  const sources = mkdtempSync(path.join(tmpdir(), "lessons-"));
+  try {
+    cpSync(folders.sources, sources, { recursive: true });
+    writeFileSync(path.join(sources, "12.md"), "# Title\n\n> The lead.\n\n[1](A.size)\n\n[1](show:A.size)\n");
+    const broken = { ...folders, sources };
+    const built = build({
+      configFile: false,
+      logLevel: "silent",
+      root: folders.root,
+      plugins: [lessonSite(broken)],
+      build: { write: false, rolldownOptions: { input: [...lessonEntries(broken)] } },
+    });
+    const message = await built.then(String, ({ message: text }: Error) => text);
+    expect(message.match(/12\.md:5: "A\.size" is no address\./g)).toHaveLength(1);
+    expect(message.match(/12\.md:7: There is no figure A\./g)).toHaveLength(1);
+  } finally {
+    rmSync(sources, { recursive: true });
   }
 });

@@ -4,6 +4,7 @@ import path from "node:path";
 import type { Plugin } from "vite";
 import { declarations } from "../declarations.ts";
 import { compileLesson, type CompiledLesson } from "./compile-lesson.ts";
+import { LessonError } from "./lesson-error.ts";
 import { lessonListPage, lessonPage } from "./lesson-page.ts";
 
 export interface LessonFolders {
@@ -57,10 +58,26 @@ export function makeLessonPage(name: string, folders: LessonFolders): string | n
 export function lessonSite(folders: LessonFolders): Plugin {
   const virtual = path.join(folders.root, "lessons") + path.sep;
   const nameOf = (file: string): string => file.slice(virtual.length).split(path.sep).join("/");
+  let isBuilt = false;
   const isPage = (id: string): boolean => id.startsWith(virtual) && id.endsWith(".html");
   return {
     name: "tetrafront:lesson-site",
     enforce: "pre",
+    configResolved: ({ command }) => {
+      isBuilt = command === "build";
+    },
+    // A mistake ends a build at once, and is told once, not for each page. The server of the development tells it on the page.
+    buildStart() {
+      if (!isBuilt) return;
+      try {
+        for (const name of ["", ...otherPages.map((each) => `${each}/`)])
+          makeLessonPage(`${name}index.html`, folders);
+      } catch (error) {
+        if (!(error instanceof LessonError)) throw error;
+        // Where the compiler found it says nothing to an author.
+        this.error({ message: error.message, stack: "" });
+      }
+    },
     resolveId: (source) => (isPage(source) ? source : null),
     load: (id) => (isPage(id) ? makeLessonPage(nameOf(id), folders) : null),
     configureServer(server) {
