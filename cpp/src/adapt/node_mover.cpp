@@ -16,7 +16,7 @@ constexpr double kAttemptGain = 1e-9;
 constexpr double kMoveGain = 1e-6;
 
 /// Badness around a node from which random steps are worth their time.
-constexpr double kPoorSurroundings = 1.5;
+constexpr double kPoorSurroundings = 0.6;
 
 /// Height of the regular tetrahedron with edge 1.
 constexpr double kRegularHeight = 0.81649658092772603;

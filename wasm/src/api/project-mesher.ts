@@ -55,11 +55,11 @@ export class ProjectMesher {
   }
 
   async mesh(project: Project, options: ProjectMeshOptions, asked: RunControl): Promise<MeshResult> {
-    const control = inOneOrder(asked, options);
-    const early = this.#parts.runs.endedEarly(control);
+    const early = this.#parts.runs.endedEarly(asked);
     if (early !== undefined) return early;
     const { settled, known, elements, errors } = settledRun(project, options);
     if (errors.length > 0) return emptyResult("invalid-input", errors);
+    const control = inOneOrder(asked, options);
     const result =
       elements === undefined
         ? await this.#meshSettled(project, settled, known, control)
