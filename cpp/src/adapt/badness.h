@@ -31,6 +31,9 @@ class Badness {
   /// Draws moved nodes less to unit edges, so that fewer of them are moved.
   void weakenPull() { edgePull_ = kWeakEdgePull; }
 
+  /// Badness around a node, with the pulls, from which random steps are worth their time.
+  [[nodiscard]] double poorSurroundings() const { return edgePull_ < kEdgePull ? 0.6 : 1.5; }
+
   /// Sets the cost of each element, whatever its quality.
   void setPerElement(double cost) { perElement_ = cost; }
 

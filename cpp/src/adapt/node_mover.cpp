@@ -15,9 +15,6 @@ namespace {
 constexpr double kAttemptGain = 1e-9;
 constexpr double kMoveGain = 1e-6;
 
-/// Badness around a node from which random steps are worth their time.
-constexpr double kPoorSurroundings = 0.6;
-
 /// Height of the regular tetrahedron with edge 1.
 constexpr double kRegularHeight = 0.81649658092772603;
 
@@ -162,7 +159,8 @@ bool NodeMover::move(NodeId node, MoveEffort effort, AdaptRandom& random) {
   approach(unitEdgeTarget());
   own = best_;
   approach(regularTarget());
-  if (effort != MoveEffort::kTargets && (least_ > kPoorSurroundings || effort == MoveEffort::kLong))
+  if (effort != MoveEffort::kTargets &&
+      (least_ > context_.badness.poorSurroundings() || effort == MoveEffort::kLong))
     search(effort, random);
   if (least_ < before - kMoveGain) {
     own = best_;
