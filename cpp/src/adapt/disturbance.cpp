@@ -6,7 +6,7 @@ namespace tetrafront {
 namespace {
 
 /// Least fall of the badness for which a disturbance is kept.
-constexpr double kLeastFall = 0.1;
+constexpr double kMinFall = 0.1;
 
 /// Elements below this part of the floor are tried.
 constexpr double kFarBelow = 0.9;
@@ -111,7 +111,7 @@ bool Disturbance::disturbAndSettle(Kind kind, const TetEdge& edge, TetId id) {
   const std::uint32_t since = mesh_.now;
   if (!disturb(kind, nodes[edge.from], nodes[edge.to], id)) return false;
   settleInSteps(since);
-  const bool isBetter = gain() > kLeastFall;
+  const bool isBetter = gain() > kMinFall;
   if (isBetter) {
     mesh_.save(state_);
   } else {

@@ -9,9 +9,9 @@ namespace tetrafront {
 namespace {
 
 /// The prices, in units of an edge out of bounds, and the factor from one to the next. The least one hardly costs unit edges.
-constexpr double kLeastPrice = 0.2;
+constexpr double kMinPrice = 0.2;
 constexpr double kFirstPrice = 0.3;
-constexpr double kLargestPrice = 1.0;
+constexpr double kMaxPrice = 1.0;
 constexpr double kPriceStep = 1.5;
 
 /// The price rises while fewer edges than this part are out of bounds: unit edges come first.
@@ -41,7 +41,7 @@ void ElementNumber::setPrice(double outOfBounds) {
   } else {
     const double next = outOfBounds < kFewOutOfBounds ? std::max(kFirstPrice, kPriceStep * price_)
                                                       : price_ / kPriceStep;
-    price_ = std::clamp(next, kLeastPrice, kLargestPrice);
+    price_ = std::clamp(next, kMinPrice, kMaxPrice);
   }
   badness_.setPerElement(price_);
 }

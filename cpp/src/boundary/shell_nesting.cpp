@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/compensated_sum.h"
 #include "base/sort.h"
 #include "boundary/ray_crossing.h"
 #include "geom/predicates.h"
@@ -13,21 +14,6 @@ namespace {
 
 /// A volume is degenerate up to this share of the sum of the magnitudes of its terms. Summation errors stay below.
 constexpr double kVolumeRounding = 1e-14;
-
-/// A sum that accumulates its rounding errors separately (Neumaier 1974).
-class CompensatedSum {
- public:
-  void add(double value) {
-    const double sum = sum_ + value;
-    error_ += std::fabs(sum_) >= std::fabs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
-    sum_ = sum;
-  }
-  [[nodiscard]] double value() const { return sum_ + error_; }
-
- private:
-  double sum_ = 0.0;
-  double error_ = 0.0;
-};
 
 Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 

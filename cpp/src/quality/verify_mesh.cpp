@@ -116,7 +116,7 @@ Task<> MeshVerifier::verify(Work& work) {
   work.beginPart(0.4);
   co_await findCoincidentNodes(work);
 
-  // Elements may be made anew each time they are read, so their faces are counted beside.
+  // Reading elements may mean making them, so their faces are counted in this pass too.
   NodeListPasses<Face> faces(countNodes(mesh_), elementCount(), maxFaces_);
   work.beginPart(0.5);
   co_await work.forEachBlock(tetrahedra_, [&](std::size_t first, std::size_t last) {

@@ -18,10 +18,10 @@ inline constexpr double kBytesPerFrontElement = 150.0;
 inline constexpr double kBytesPerLatticeElement = 10.0;
 inline constexpr double kBytesPerTriangle = 2500.0;
 
-/// Returns how many elements a run can have in so many bytes. `hasLattices`: whether lattices may fill most of the inside.
+/// Returns how many elements a run can have in this many bytes. `hasLattices`: whether lattices may fill most of the inside.
 [[nodiscard]] double elementsWithin(double bytes, double triangles, bool hasLattices);
 
-/// Returns how many elements a front can make beside so many others, of lattices or of other regions.
+/// Returns how many elements a front can make if there are `others` already, of lattices or of other regions.
 [[nodiscard]] std::uint32_t frontElementsBeside(double bytes, std::size_t others);
 
 }  // namespace tetrafront
