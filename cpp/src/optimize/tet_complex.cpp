@@ -137,15 +137,19 @@ bool TetComplex::findStar(NodeId node, Star& star) {
   star.size = 1;
   for (std::size_t i = 0; i < star.size; ++i) {
     const Element& element = elements_[star.elements[i].index()];
-    star.corner[i] = static_cast<std::uint8_t>(cornerOf(element, node));
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (k == star.corner[i] || element.across[k].isNone()) continue;
+    const std::size_t corner = cornerOf(element, node);
+    star.corner[i] = static_cast<std::uint8_t>(corner);
+    for (std::size_t other = 0; other < 3; ++other) {
+      const std::size_t k = other + (other >= corner ? 1 : 0);
+      if (element.across[k].isNone()) continue;
       const TetId next = element.across[k].tet();
-      if (states_[next.index()].stamp == stamp) continue;
-      if (star.size == kMaxCavity) return false;
-      states_[next.index()].stamp = stamp;
-      star.elements[star.size++] = next;
+      std::uint32_t& mark = states_[next.index()].stamp;
+      // Without a branch, which would be unpredictable: half of the neighbours have been found before.
+      star.elements[star.size] = next;
+      star.size += mark == stamp ? 0 : 1;
+      mark = stamp;
     }
+    if (star.size > kMaxCavity) return false;
   }
   return true;
 }

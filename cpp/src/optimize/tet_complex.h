@@ -48,7 +48,7 @@ inline constexpr std::size_t kMaxCavity = 500;
 
 /// The elements around a node, and which of their corners it is.
 struct Star {
-  std::array<TetId, kMaxCavity> elements;
+  std::array<TetId, kMaxCavity + 3> elements;  ///< with room for the neighbours of the last one
   std::array<std::uint8_t, kMaxCavity> corner;
   std::size_t size = 0;
 };
