@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/free_memory.h"
 #include "base/sort.h"
 #include "topology/disjoint_sets.h"
 #include "topology/tetrahedron.h"
@@ -267,34 +268,48 @@ bool IslandTrimmer::removeContacts() {
 
 /// Small islands have no tetrahedron deep inside.
 Task<> IslandTrimmer::removeSmallIslands(Work& work) {
+  isInLarge_.assign(bits_.size(), ElementBits{0});
   std::vector<Element> small;
   co_await work.forEachBlock(
       bits_.size(),
       [&](std::size_t first, std::size_t last) {
         forEachNearHull(first, last, [&](const Element& element) {
-          if (isInSmallIsland(element)) small.push_back(element);
+          const std::vector<Element> island = smallIslandOf(element);
+          small.insert(small.end(), island.begin(), island.end());
         });
       },
       kNodesPerUnit);
   for (const Element& element : small) {
     bits_[element.centre.index()] &= static_cast<ElementBits>(~(1U << element.number));
   }
+  freeMemory(isInLarge_);
 }
 
-/// Visits the tetrahedra around this one until there are enough, or one deep inside: around its centre are more than enough.
-bool IslandTrimmer::isInSmallIsland(const Element& element) const {
-  std::vector<Element> island{element};
+/// Returns the whole island of a tetrahedron if it is small, else nothing. Visits the tetrahedra around this one until there are
+/// enough, or one deep inside: around its centre are more than enough. All visited ones are then known to be in a large island.
+std::vector<IslandTrimmer::Element> IslandTrimmer::smallIslandOf(const Element& element) {
+  std::vector<Element> island;
+  const auto isLarge = [&](const Element& other) {
+    return !isNearHull(other.centre) || isIn(isInLarge_, other) ||
+           island.size() + 1 >= kMinTetrahedra;
+  };
+  if (isLarge(element)) return {};
+  island.push_back(element);
   for (std::size_t next = 0; next < island.size(); ++next) {
-    if (island.size() >= kMinTetrahedra || !isNearHull(island[next].centre)) return false;
     const Element from = island[next];
     for (std::size_t k = 0; k < 4; ++k) {
       const Element other = neighbourOf(from, k);
-      if (!isLive(other)) continue;
-      if (!isNearHull(other.centre)) return false;
-      if (std::ranges::find(island, other) == island.end()) island.push_back(other);
+      if (!isLive(other) || std::ranges::find(island, other) != island.end()) continue;
+      if (isLarge(other)) {
+        for (const Element& known : island) {
+          isInLarge_[known.centre.index()] |= static_cast<ElementBits>(1U << known.number);
+        }
+        return {};
+      }
+      island.push_back(other);
     }
   }
-  return island.size() < kMinTetrahedra;
+  return island;
 }
 
 std::vector<NodeTriple> IslandTrimmer::hull() const {

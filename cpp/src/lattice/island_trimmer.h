@@ -57,12 +57,15 @@ class IslandTrimmer {
   void removeSpikes();
   bool removeContacts();
   Task<> removeSmallIslands(Work& work);
-  [[nodiscard]] bool isInSmallIsland(const Element& element) const;
+  [[nodiscard]] std::vector<Element> smallIslandOf(const Element& element);
   [[nodiscard]] bool isNearHull(NodeId centre) const {
     return (bits_[centre.index()] & kNearHull) != 0;
   }
   [[nodiscard]] bool isLive(const Element& element) const {
-    return !element.centre.isNone() && (bits_[element.centre.index()] >> element.number & 1U) != 0;
+    return !element.centre.isNone() && isIn(bits_, element);
+  }
+  [[nodiscard]] static bool isIn(const std::vector<ElementBits>& bits, const Element& element) {
+    return (bits[element.centre.index()] >> element.number & 1U) != 0;
   }
   [[nodiscard]] Element neighbourOf(const Element& element, std::size_t corner) const;
   [[nodiscard]] bool isSpike(const Element& element) const;
@@ -75,7 +78,9 @@ class IslandTrimmer {
   const LatticeNodes& nodes_;
   Neighbours neighbours_ = findNeighbours();
   std::vector<ElementBits> bits_;  ///< per node, none for those that are no centres
-  std::vector<Element> spikes_;    ///< tetrahedra that may have two or more faces on the hull
+  std::vector<ElementBits>
+      isInLarge_;  ///< per node, while small islands are removed: tetrahedra known to be in a large one
+  std::vector<Element> spikes_;  ///< tetrahedra that may have two or more faces on the hull
 };
 
 }  // namespace tetrafront
