@@ -74,6 +74,35 @@ test("sizes along the patch are those of a background", async () => {
   expect(triangles).toBeLessThan(200);
 });
 
+test("cycles with a solver keep the layers of every mesh, and follow the solution beyond them", async () => {
+  // Bends across x = 0.5, away from the wall.
+  const solve = ({ points }: Mesh) => {
+    const values = points.filter((_, i) => i % 3 === 0).map((x) => Math.tanh(12 * (x - 0.5)));
+    return [{ name: "u", components: 1, values }];
+  };
+  const nearBends: number[] = [];
+  const counts: number[] = [];
+  const options = { layers: [LAYERS], cycles: 3, elements: 1500, sweeps: 4 };
+  for await (const { next } of mesher.adapt(box, solve, options)) {
+    const { mesh, after } = next;
+    if (!("layers" in next)) throw new Error("no layers");
+    expect(next.layers[0]?.meanFirstHeight).toBeGreaterThan(0.0075);
+    expect(next.layers[0]?.meanFirstHeight).toBeLessThan(0.0125);
+    expect(after.unitEdges).toBeGreaterThan(0.95);
+    const { points, triangles } = mesh;
+    expect(defectsOf(mesh, { points, triangles })).toEqual(NO_DEFECTS);
+    expect(meshVolume(mesh)).toBeCloseTo(1, 9);
+    expect(mesh.nodeData.get("u")?.values).toHaveLength(points.length / 3);
+    const above = [...points.keys()].filter((i) => i % 3 === 0 && (points[i + 2] ?? 0) > 0.3);
+    const near = above.filter((i) => Math.abs((points[i] ?? 0) - 0.5) < 0.2);
+    nearBends.push(near.length / above.length);
+    counts.push(after.tetrahedra);
+  }
+  // Of evenly distributed nodes, it would be 0.4. The layers count as elements of the whole.
+  expect(nearBends.at(-1)).toBeGreaterThan(0.5);
+  expect(Math.abs((counts.at(-1) ?? 0) / 1500 - 1), counts.join()).toBeLessThan(0.2);
+});
+
 test.each([
   [{ patch: "roof" }, /no patch roof/],
   [{ firstHeight: 0 }, /first height of the layers of wall: cold is 0/],
@@ -81,6 +110,14 @@ test.each([
   [{ count: 0 }, /number of the layers of wall: cold is 0/],
 ])("layers with %o are refused", async (change, message) => {
   await expect(mesher.addLayers(box, [{ ...LAYERS, ...change }])).rejects.toThrow(message);
+});
+
+test("layers of cycles are checked before the solver runs", async () => {
+  const cycles = mesher.adapt(box, () => Promise.reject(new Error("it ran")), {
+    layers: [{ ...LAYERS, firstHeight: 0 }],
+    elements: 100,
+  });
+  await expect(cycles.next()).rejects.toThrow(/first height of the layers of wall: cold is 0/);
 });
 
 test("layers that come twice for a patch are refused", async () => {
@@ -117,6 +154,8 @@ test("the command names what is wrong with layers", async () => {
     expect(stderr).toMatch(message);
     expect(code).toBe(2);
   }
-  const both = await run("adapt", "box.vtu", "--layers", "*:0.1:1.2:3", "--solver", "x", "-o", "made.vtu");
-  expect(both.stderr).toMatch(/--layers and --solver exclude each other/);
+  const withSolver = ["--solver", "x", "--elements", "100"];
+  const both = await run("adapt", "box.vtu", "--layers", "roof:0.1:1.2:3", ...withSolver, "-o", "made.vtu");
+  expect(both.stderr).toMatch(/no patch roof/);
+  expect(both.code).toBe(2);
 });

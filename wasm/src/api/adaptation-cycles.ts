@@ -19,7 +19,8 @@ import { checkControl, checkImproveInput } from "./input-checks.js";
 import { checkAdaptOptions } from "./mesh-options.js";
 import { correctedNumber } from "./corrected-number.js";
 import type { Mesher } from "./mesher-interface.js";
-import type { CycleOptions } from "./option-types.js";
+import { checkLayerOptions, checkLayers } from "./layers.js";
+import type { CycleOptions, LayerOptions, SolutionSizeOptions } from "./option-types.js";
 import { checkAgainst, option, wholeWithin } from "./option-schema.js";
 import { completeVolume } from "./solution.js";
 import { estimatedErrors } from "./solution-error.js";
@@ -63,13 +64,17 @@ const SHARES = { sizes: 0.2, adapt: 0.9, transfer: 1 } as const;
 /** Returns the problems of the options of `adapt`. */
 export function checkCycleOptions(options: CycleOptions): Diagnostic[] {
   if (typeof options !== "object" || (options as unknown) === null) return checkAgainst(options, cycleSchema);
-  const { cycles, fields, resume, leastQuality, sweeps, conservative: _, ...sizes } = options;
+  const { cycles, fields, resume, layers, leastQuality, sweeps, conservative: _, ...sizes } = options;
   return [
     ...checkAgainst({ cycles, fields, resume }, cycleSchema),
+    ...(layers === undefined ? [] : [...checkLayers(layers), ...checkLayerOptions(layerLimits(sizes))]),
     ...checkAdaptOptions({ leastQuality, sweeps }),
     ...checkSolutionSizeOptions(sizes),
   ];
 }
+
+/** Returns the limits of the sizes that layers have too. */
+const layerLimits = ({ maxAspect, growth }: SolutionSizeOptions): LayerOptions => ({ maxAspect, growth });
 
 /** Implements `Mesher.adapt`. */
 export async function* adaptationCycles(
@@ -143,7 +148,8 @@ async function followed(
   options: CycleOptions,
   progress: WholeProgress,
 ): Promise<Omit<AdaptationCycle, "cycle" | "mesh">> {
-  const { cycles: _c, resume: _r, fields: names, leastQuality, sweeps, conservative, ...sizing } = options;
+  const { cycles: _c, resume: _r, fields: names, conservative, ...others } = options;
+  const { layers, leastQuality, sweeps, ...sizing } = others;
   const { norm = DEFAULT_NORM, indicator } = sizing;
   const { fields, mesh } = solution;
   const deciding = decidingFields(fields, { fields: names, indicator });
@@ -152,7 +158,16 @@ async function followed(
     progress.next(SHARES.sizes),
   );
   const control = progress.next(SHARES.adapt);
-  const next = await mesher.adaptMesh(first, sizes.mesh, { leastQuality, sweeps }, control);
+  const limits = { leastQuality, sweeps };
+  const next =
+    layers === undefined
+      ? await mesher.adaptMesh(first, sizes.mesh, limits, control)
+      : await mesher.addLayers(
+          first,
+          layers,
+          { ...limits, ...layerLimits(sizing), background: sizes.mesh },
+          control,
+        );
   const transferred = await mesher.transferSolution(
     mesh,
     next.mesh,

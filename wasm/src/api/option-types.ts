@@ -7,6 +7,7 @@ import type {
   Interior,
   Optimization,
 } from "../generated/constants.js";
+import type { PatchLayers } from "../mesh/layered-mesh.js";
 import type { ElementOrder, Mesh, VolumeInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -255,6 +256,11 @@ export interface CycleOptions extends SolutionSizeOptions, AdaptOptions, Transfe
   readonly cycles?: number | undefined;
   /** Names of the fields that decide the sizes. Default: all fields of the solution; with an `indicator`, it alone. */
   readonly fields?: readonly string[] | undefined;
+  /**
+   * Layers along patches of every mesh that is made, as by `addLayers`, with `maxAspect` and `growth` (0.01 to 10) as their limits.
+   * Beyond them, sizes follow from the solution. Default: none.
+   */
+  readonly layers?: readonly PatchLayers[] | undefined;
   /**
    * Last cycle that is done, and the mesh that it made, with fields as `nodeData`: the next cycle begins with it. The model is then
    * the mesh of the first cycle, whose boundary all others follow. `asked`: the number of elements that the sizes of that cycle have

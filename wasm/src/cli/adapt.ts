@@ -68,8 +68,7 @@ export async function adaptFile(input: string, options: AdaptCommandOptions): Pr
 async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promise<Outcome> {
   const { background, solver, layers } = options;
   if (solver !== undefined) {
-    refuseBeside("--background", background);
-    refuseBeside("--layers", layers);
+    refuseBackgroundBeside(background);
     return adaptInCycles(input, { ...options, solver });
   }
   if (layers !== undefined) {
@@ -86,9 +85,10 @@ async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promi
   return adaptOnce(input, options, []);
 }
 
-function refuseBeside(word: string, given: unknown): void {
-  if (given === undefined) return;
-  refuseOptions([invalidOption("--solver", `${word} and --solver exclude each other`, "Use one of them.")]);
+function refuseBackgroundBeside(background: string | undefined): void {
+  if (background === undefined) return;
+  const message = "--background and --solver exclude each other";
+  refuseOptions([invalidOption("--solver", message, "Use one of them.")]);
 }
 
 /** Adapts the mesh of a model to the solution of a solver, cycle by cycle. */

@@ -32,6 +32,17 @@ const reportSchema = v.object({
   targetElements: v.number(),
   // The next mesh in the metric.
   adapted: statistics,
+  layers: v.optional(
+    v.array(
+      v.object({
+        patch: v.string(),
+        triangles: v.number(),
+        meanFirstHeight: v.number(),
+        thickness: v.number(),
+      }),
+    ),
+  ),
+  largestAspect: v.optional(v.number()),
   seconds: v.object({ solver: v.number(), adaptation: v.number() }),
 });
 const listSchema = v.object({

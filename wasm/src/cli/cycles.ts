@@ -20,6 +20,7 @@ import { CycleFolder, type CycleList, type CycleReport, hashOf } from "./cycle-f
 import { writeMeshTo } from "./convert.js";
 import { checkInput, FileError } from "./files.js";
 import { extensionOfFormat, isCadInput, numberIn, readMeshFile, refuseOptions } from "./input.js";
+import { layersIn, layersOf } from "./layers.js";
 import { asInvalidInput, print, printDiagnostics } from "./messages.js";
 import { withRun } from "./run.js";
 import { runSolver, type SolverFiles } from "./solver.js";
@@ -39,6 +40,7 @@ export interface CycleCommandOptions extends SolutionSizeCommandOptions {
   readonly solver?: string;
   readonly cycles?: string;
   readonly field?: readonly string[];
+  readonly layers?: readonly string[];
   readonly conservative?: boolean;
   readonly meshFormat?: string;
   readonly solutionFormat?: string;
@@ -65,6 +67,7 @@ export function cycleOptions(options: CycleCommandOptions): CycleOptions {
     ...sizeOptions(options),
     cycles: numberIn(options.cycles) ?? DEFAULT_CYCLES,
     fields: options.field,
+    layers: options.layers && layersIn(options.layers),
     conservative: options.conservative,
     leastQuality: numberIn(options.quality),
     sweeps: numberIn(options.sweeps),
@@ -172,7 +175,8 @@ class CycleRun {
   }
 
   async cycles(mesher: Mesher, begin: Begin, control: SignalControl): Promise<CycledMesh> {
-    const { chosen, isQuiet } = this.#task;
+    const { input, chosen: given, isQuiet } = this.#task;
+    const chosen = { ...given, layers: given.layers && layersOf(input, begin.first, given.layers) };
     let { list, mesh } = begin;
     const { length: done } = list.cycles;
     const lines = () => tableLines(list.cycles, chosen.indicator);
@@ -205,7 +209,7 @@ class CycleRun {
     const { input, isQuiet } = this.#task;
     await this.#keep(this.#folder.file("background", cycle, KEPT), sizes.mesh);
     await this.#keep(this.#folder.file("mesh", cycle + 1, KEPT), next.mesh);
-    printDiagnostics(input, sizes.diagnostics, { isQuiet });
+    printDiagnostics(input, [...sizes.diagnostics, ...next.diagnostics], { isQuiet });
     const solver = this.#solverSeconds;
     return reportOf(step, { solver, adaptation: total - solver }, this.#task.chosen);
   }
@@ -342,6 +346,7 @@ function reportOf(
     expectedErrors: byName(sizes.expectedErrors),
     targetElements: Math.round(sizes.elements),
     adapted,
+    ...("layers" in next && { layers: [...next.layers], largestAspect: next.largestAspect }),
     seconds,
   };
 }

@@ -196,6 +196,7 @@ Layers
   --max-aspect (default ${LAYER_DEFAULTS.maxAspect}) times those across it, and smaller where the patch is curved. The layers follow the
   faces of a CAD file; triangles of other curved patches must be nearer to them than the first height. Beyond the layers,
   sizes grow by --gradation. In corners and gaps where several layers meet, elements are small in the directions of all.
+  With --solver, every mesh gets the layers, and sizes beyond them follow from the solution.
 
 Solver
   --solver runs cycles: the solver computes fields on a mesh, the sizes follow from them as in \`tetrafront sizes\`, the

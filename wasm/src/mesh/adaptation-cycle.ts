@@ -1,5 +1,6 @@
 /** Cycles of an adaptation with a solver: what the solver gets and returns, and what each cycle makes. */
 import type { MeshAdaptation } from "./adaptation.js";
+import type { LayeredMesh } from "./layered-mesh.js";
 import type { Mesh, VolumeInput } from "./mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "./solution.js";
 
@@ -48,8 +49,8 @@ export interface AdaptationCycle {
   readonly estimatedErrors: readonly number[];
   /** The metric of the next mesh, and the errors to expect on it. */
   readonly sizes: SolutionSizes;
-  /** Lengths and qualities in the metric, before and after, and the next mesh; its `nodeData` are the fields at its nodes. */
-  readonly next: MeshAdaptation;
+  /** Lengths and qualities in the metric, before and after, and the next mesh; its `nodeData` are the fields at its nodes. With `layers`, also what was made of them. */
+  readonly next: MeshAdaptation | LayeredMesh;
   /** The fields on the next mesh. */
   readonly transferred: TransferredFields;
 }
