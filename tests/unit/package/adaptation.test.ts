@@ -101,22 +101,26 @@ test("the command adapts a volume mesh, and meshes a surface first", async () =>
   }
 });
 
-test("nodes on the boundary of an adapted CAD file are on its faces", async () => {
-  const [radius, height, size] = [5, 4, 1.2];
-  save("pin.step", stepFile([pinSolid("pin", [0, 0, 0], radius, height)]));
+test.each([
+  ["as it is", [], 1],
+  ["in metres", ["--units", "m"], 0.001],
+  ["scaled", ["--scale", "3"], 3],
+])("nodes on the boundary of a CAD file that is adapted %s are on its faces", async (_, units, scale) => {
+  const [radius, height, size] = [5 * scale, 4 * scale, 1.2 * scale];
+  save("pin.step", stepFile([pinSolid("pin", [0, 0, 0], 5, 4)]));
   const values = new Float64Array(box.points.length / 3).fill(size);
   const background: Mesh = {
     ...box,
-    points: box.points.map((x) => 14 * (x - 0.5)),
+    points: box.points.map((x) => 14 * scale * (x - 0.5)),
     nodeData: new Map([["size", { components: 1, values }]]),
   };
   const [file] = await writeMesh(background, "sizes.vtu");
   save("sizes.vtu", file?.bytes ?? "");
-  const { code, stderr } = await run("adapt", "pin.step", "--background", "sizes.vtu", "-o", "pin.vtu");
-  expect(`${code} ${stderr}`).toMatch(/^0 .*adapted: /s);
+  const pin = await run("adapt", "pin.step", "--background", "sizes.vtu", "-o", "pin.vtu", ...units);
+  expect(`${pin.code} ${pin.stderr}`).toMatch(/^0 .*adapted: /s);
   const read = await readMesh(readFileSync(inFolder("pin.vtu")), { fileName: "pin.vtu" });
   if (!read.success) throw new Error(read.errors[0].message);
-  const { points, triangles } = read.value;
+  const { points, triangles, nodeData } = read.value;
   const off = [...new Set(triangles)].map((node) => {
     const [x = 0, y = 0, z = 0] = points.subarray(3 * node, 3 * node + 3);
     return Math.min(Math.abs(z), Math.abs(z - height), Math.abs(Math.hypot(x, y) - radius));
@@ -127,4 +131,7 @@ test("nodes on the boundary of an adapted CAD file are on its faces", async () =
   const share = meshVolume(read.value) / (Math.PI * radius ** 2 * height);
   expect(share).toBeLessThan(1);
   expect(share).toBeGreaterThan(1 - (size / radius) ** 2 / 4);
+  const metrics = nodeData.get("metric")?.values ?? [];
+  expect(metrics).toHaveLength(2 * points.length);
+  expect((metrics[0] ?? 0) * size ** 2).toBeCloseTo(1, 6);
 });

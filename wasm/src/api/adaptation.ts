@@ -1,4 +1,5 @@
 /** Adapts a mesh to the metric of a background mesh. */
+import { placedPoints, unplacedPoints } from "../base/placement.js";
 import { describeAll } from "../diagnostics/describe.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -15,7 +16,7 @@ import { checkImproveInput, checkMesh, unreadableMesh } from "./input-checks.js"
 import { checkAdaptOptions } from "./mesh-options.js";
 import { backgroundMetrics, wrongMetrics } from "./node-sizes.js";
 import type { AdaptOptions } from "./option-types.js";
-import { modelOf } from "./true-faces.js";
+import { modelOf, scaleOfFaces } from "./true-faces.js";
 
 type EngineAdaptation = AnswerOf<"adaptMesh">;
 
@@ -27,18 +28,28 @@ export async function adaptMesh(
 ): Promise<MeshAdaptation> {
   beginCall(client, control);
   refuse([...checkImproveInput(mesh), ...checkMesh(background, "background"), ...checkAdaptOptions(options)]);
-  const metrics = backgroundMetrics(background);
-  refuse(wrongMetrics(metrics));
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
-  const given = [
-    adaptInputOf(mesh),
-    { points: background.points.slice(), tetrahedra: background.tetrahedra.slice(), metrics },
-    { leastQuality, sweeps },
-  ] as const;
+  const given = [adaptInputOf(mesh), adaptBackgroundOf(background, mesh), { leastQuality, sweeps }] as const;
   const found = await client.ask("adaptMesh", given, control);
   if (!found.isReadable) refuse([unreadableMesh()]);
   refuse(describeAll(found.diagnostics, nameByIndex));
   return describedAdaptation(found, mesh);
+}
+
+/** Returns the factor of lengths from the true faces of a mesh to it; the engine adapts meshes with the lengths of their faces. */
+export const adaptScaleOf = (mesh: VolumeInput): number => scaleOfFaces(mesh) ?? 1;
+
+/** Returns a copy of the background of an adaptation as the engine reads it. Throws a `MesherError` if its metrics are wrong. */
+export function adaptBackgroundOf(background: VolumeInput | undefined, mesh: VolumeInput) {
+  const { points = new Float64Array(), tetrahedra = new Uint32Array() } = background ?? {};
+  const metrics = background === undefined ? new Float64Array() : backgroundMetrics(background);
+  refuse(wrongMetrics(metrics));
+  const scale = adaptScaleOf(mesh);
+  return {
+    points: unplacedPoints(points, { scale }),
+    tetrahedra: tetrahedra.slice(),
+    metrics: metrics.map((value) => value * scale * scale),
+  };
 }
 
 /** Returns a copy of a mesh as the engine adapts it. */
@@ -46,7 +57,7 @@ export function adaptInputOf(mesh: VolumeInput) {
   const { points, tetrahedra, tetrahedronRegion, triangles, trianglePatch } = mesh;
   const { numbers: model, ...modelTriangles } = modelOf(mesh);
   return {
-    points: points.slice(),
+    points: unplacedPoints(points, { scale: adaptScaleOf(mesh) }),
     tetrahedra: tetrahedra.slice(),
     regions: tetrahedronRegion?.slice() ?? new Uint32Array(),
     triangles: triangles?.slice() ?? new Uint32Array(),
@@ -73,10 +84,12 @@ function plain({ lengths, ...rest }: EngineAdaptation["after"]): MetricStatistic
 }
 
 function adaptedMesh(found: EngineAdaptation, given: VolumeInput): Mesh {
-  const { points, tetrahedra, triangles, trianglePatch, regions: tetrahedronRegion, metrics } = found;
+  const { tetrahedra, triangles, trianglePatch, regions: tetrahedronRegion } = found;
   const { regions = [], patches = [], trueFaces, unit } = given;
+  const scale = adaptScaleOf(given);
+  const metrics = found.metrics.map((value) => value / (scale * scale));
   return {
-    points,
+    points: placedPoints(found.points, { scale }),
     triangles,
     ...patchesIn({ triangles, trianglePatch, patches }),
     tetrahedra,

@@ -17,12 +17,11 @@ import {
 } from "../generated/constants.js";
 import type { LayeredMesh, PatchLayers } from "../mesh/layered-mesh.js";
 import type { VolumeInput } from "../mesh/mesh.js";
-import { adaptInputOf, describedAdaptation } from "./adaptation.js";
+import { adaptBackgroundOf, adaptInputOf, adaptScaleOf, describedAdaptation } from "./adaptation.js";
 import { beginCall } from "./call-checks.js";
 import { patchesIn } from "./carried-mesh.js";
 import { checkArrays, checkImproveInput, checkMesh, unreadableMesh } from "./input-checks.js";
 import { adaptEntries } from "./mesh-options.js";
-import { backgroundMetrics, wrongMetrics } from "./node-sizes.js";
 import { checkAgainst, type EntriesOf, option, wholeWithin, within } from "./option-schema.js";
 import type { LayerOptions } from "./option-types.js";
 import { MAX_ASPECT } from "./solution-options.js";
@@ -138,21 +137,16 @@ export async function addLayers(
   const { background } = options;
   if (background !== undefined) refuse(checkMesh(background, "background"));
   const walls = wallsOf(mesh, layers);
-  const metrics = background === undefined ? new Float64Array() : backgroundMetrics(background);
-  refuse(wrongMetrics(metrics));
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
   const { maxAspect = LAYER_DEFAULTS.maxAspect, growth = LAYER_DEFAULTS.growth } = options;
+  const scale = adaptScaleOf(mesh);
   const given = [
     adaptInputOf(mesh),
-    {
-      points: background?.points.slice() ?? new Float64Array(),
-      tetrahedra: background?.tetrahedra.slice() ?? new Uint32Array(),
-      metrics,
-    },
+    adaptBackgroundOf(background, mesh),
     { leastQuality, sweeps },
     {
       patch: Uint32Array.from(walls, ({ index }) => index),
-      firstHeight: Float64Array.from(walls, (wall) => wall.layers.firstHeight),
+      firstHeight: Float64Array.from(walls, (wall) => wall.layers.firstHeight / scale),
       growth: Float64Array.from(walls, (wall) => wall.layers.growth ?? PATCH_LAYERS_DEFAULTS.growth),
       count: Uint32Array.from(walls, (wall) => wall.layers.count ?? PATCH_LAYERS_DEFAULTS.count),
     },
@@ -161,7 +155,12 @@ export async function addLayers(
   const found = await client.ask("addLayers", given, control);
   if (!found.adaptation.isReadable) refuse([unreadableMesh()]);
   refuse(describeAll(found.adaptation.diagnostics, nameByIndex));
-  const made = found.walls.map((wall, i) => ({ ...wall, patch: walls[i]?.layers.patch ?? "" }));
+  const made = found.walls.map(({ triangles, meanFirstHeight, thickness }, i) => ({
+    patch: walls[i]?.layers.patch ?? "",
+    triangles,
+    meanFirstHeight: meanFirstHeight * scale,
+    thickness: thickness * scale,
+  }));
   return {
     ...describedAdaptation(found.adaptation, mesh),
     layers: made,

@@ -80,19 +80,28 @@ function bendOf({
 
 /** Returns the numbers of the true faces for a remeshing; none if they were moved or scaled since they were read. */
 export function modelNumbers(surface: SurfaceInput): Float64Array {
-  return modelOf(surface).numbers;
+  return scaleOfFaces(surface) === 1 ? modelOf(surface).numbers : new Float64Array();
 }
 
 /**
- * Returns the true faces of a mesh as the engine reads them, and the triangles near them, in new arrays; none if they were moved
- * or scaled since they were read.
+ * Returns the factor by which all true faces of a mesh were scaled since they were read, 1 without faces; undefined if they were
+ * moved, or scaled by different factors.
  */
-export function modelOf({ trueFaces = [] }: PartialMesh): ReturnType<typeof joined> {
-  const areMoved = trueFaces.some(({ placement = {} }) => {
-    const { position, rotation, scale = 1 } = placement;
-    return position !== undefined || rotation !== undefined || scale !== 1;
-  });
-  return joined(areMoved ? [] : trueFaces);
+export function scaleOfFaces({ trueFaces = [] }: PartialMesh): number | undefined {
+  const scales = new Set(
+    trueFaces.map(({ placement: { position, rotation, scale = 1 } = {} }) =>
+      position === undefined && rotation === undefined ? scale : undefined,
+    ),
+  );
+  return scales.size > 1 ? undefined : [...scales, 1][0];
+}
+
+/**
+ * Returns the true faces of a mesh as the engine reads them, and the triangles near them, in new arrays and with the lengths of their
+ * file; none without a `scaleOfFaces`.
+ */
+export function modelOf(mesh: PartialMesh): ReturnType<typeof joined> {
+  return joined(scaleOfFaces(mesh) === undefined ? [] : (mesh.trueFaces ?? []));
 }
 
 /** Returns the faces of all solids as those of one, in new arrays: the engine's worker gets the arrays of a question. */

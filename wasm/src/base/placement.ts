@@ -8,10 +8,13 @@ export interface Placement {
   readonly scale?: number | undefined;
 }
 
+const isIdentity = ({ position, rotation, scale = 1 }: Placement): boolean =>
+  position === undefined && rotation === undefined && scale === 1;
+
 /** Returns the placed copy of points. */
-export function placedPoints(points: Float64Array, placement: Placement | undefined): Float64Array {
+export function placedPoints(points: Float64Array, placement: Placement = {}): Float64Array {
   const moved = points.slice();
-  if (placement === undefined) return moved;
+  if (isIdentity(placement)) return moved;
   const { position = [0, 0, 0], scale = 1 } = placement;
   const rows = rotationRows(placement.rotation);
   for (let i = 0; i < points.length; i += 3) {
@@ -25,9 +28,9 @@ export function placedPoints(points: Float64Array, placement: Placement | undefi
 }
 
 /** Returns the points whose placed copy is given, but for rounding. */
-export function unplacedPoints(placed: Float64Array, placement: Placement | undefined): Float64Array {
+export function unplacedPoints(placed: Float64Array, placement: Placement = {}): Float64Array {
   const given = placed.slice();
-  if (placement === undefined) return given;
+  if (isIdentity(placement)) return given;
   const { position = [0, 0, 0], scale = 1 } = placement;
   const [a, b, c] = rotationRows(placement.rotation);
   for (let i = 0; i < placed.length; i += 3) {

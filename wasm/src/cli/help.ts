@@ -183,7 +183,7 @@ Examples
 export const adaptHelp = () => `
 Input
   A volume mesh, or what \`tetrafront mesh\` reads: a CAD file, a surface or a project, which is meshed first. New
-  nodes of the boundary are on the faces and edges of a CAD file (without --units or --scale), and otherwise on the
+  nodes of the boundary are on the faces and edges of a CAD file, and otherwise on the
   triangles of this mesh.
 
 Background
