@@ -21,6 +21,7 @@
 #include "reflection.h"
 #include "surface/rules.h"
 #include "tetrafront/covering_grid.h"
+#include "tetrafront/curvature_samples.h"
 #include "tetrafront/diagnostic_values.h"
 #include "tetrafront/mesh_adaptation.h"
 #include "tetrafront/mesh_improvement.h"
@@ -260,6 +261,8 @@ void printNumbers() {
               "Smallest feature angle and angle per edge of a remeshing, in degrees.");
   printNumber("MAX_REMESH_ANGLE", kMaxRemeshAngle,
               "Largest feature angle and angle per edge of a remeshing, in degrees.");
+  printNumber("SHADED_CELLS", kShadedCells, "Rows and columns of the lattice of a curved patch.");
+  printNumber("MAX_SHADED_CELLS", kMaxShadedCells, "Largest number of rows of such a lattice.");
   printNumber("MAX_LAYERS", kMaxLayers, "Largest number of layers across thin walls.");
   printNumber("MIN_SIZE_FACTOR", kMinSizeFactor, "Smallest factor on the sizes of a remeshing.");
   printNumber("MAX_SIZE_FACTOR", kMaxSizeFactor, "Largest factor on the sizes of a remeshing.");

@@ -64,7 +64,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(
       "SizeSampling", "sampleSizes");
-  registerTool<CurvatureSampler, Model>("CurvatureSampling", "sampleCurvature");
+  registerTool<CurvatureSampler, Model, double>("CurvatureSampling", "sampleCurvature");
   registerTool<MeshGridBuilder, VolumeMesh, Doubles>("BackgroundFromMesh", "backgroundFromMesh");
   registerTool<SolutionSizer, VolumeMesh, SolutionFields, SolutionMetricOptions>(
       "SolutionSizing", "sizeFromSolution");

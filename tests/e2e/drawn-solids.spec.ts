@@ -1,3 +1,4 @@
+import { readFile } from "node:fs/promises";
 import { expect, type Page } from "@playwright/test";
 import { PROJECT_FORMAT, PROJECT_VERSION } from "tetrafront/project";
 import { DrawPage } from "./draw-page";
@@ -153,4 +154,27 @@ sharedTest("a solid explodes into patches that can be edited", async ({ page }) 
   await page.keyboard.press("Control+z");
   await expect(app.viewport).toHaveAttribute("data-solids", "1");
   await expect(app.viewport).toHaveAttribute("data-patches", "0");
+});
+
+sharedTest("curved patches are sewn to a solid, which is cut and meshed", async ({ page }) => {
+  const app = new DrawPage(page);
+  await app.openNew();
+  const barrel = await readFile("public/models/barrel.json", "utf8");
+  await app.openFile("barrel.json", barrel);
+  await expect(page.getByTestId("tree-patch-1")).toBeVisible();
+  await startOperation(page, "Sew patches to a solid…");
+  await computed(page);
+  await expect(page.getByTestId("operation-note")).toContainText("kept as they are drawn");
+  await acceptOperation(page);
+  await expect.poll(() => volume(page)).toBeCloseTo(3.28, 1);
+  await expect(page.getByTestId("tree-patch-1")).toHaveCount(0);
+  await startOperation(page, "Hole…");
+  await computed(page);
+  await acceptOperation(page);
+  await expect(page.getByTestId("feature-2")).toContainText("Hole 1");
+  const { tets } = await app.generate();
+  expect(tets).toBeGreaterThan(100);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect(page.getByTestId("tree-patch-1")).toBeVisible();
 });

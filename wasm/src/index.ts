@@ -18,6 +18,7 @@ export type {
 } from "./api/mesher-interface.js";
 export {
   type CoverOptions,
+  type CurvatureOptions,
   type CycleOptions,
   type AdaptOptions,
   type LayerOptions,

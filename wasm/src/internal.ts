@@ -11,12 +11,22 @@ export {
   type RemeshShapes,
 } from "./api/best-repair.js";
 export { withSolidsOfPatches } from "./api/touching-solids.js";
+export { base64Of } from "./base/base64.js";
 export { nearPairs } from "./base/boxes.js";
 export { dataOf, fieldsOf } from "./mesh/mesh-fields.js";
 export { isWithin, sharedPairs, solidUnits, type SolidsSurface } from "./formats/solid-units.js";
 export { differentNames } from "./formats/groups.js";
 export { featureSolid, type FeatureSolid } from "./formats/feature-solid.js";
-export type { FaceLook, FeatureFailure, Loop, LoopCurve, Profile } from "./cad/features/feature.js";
+export type {
+  FaceLook,
+  FeatureFailure,
+  GridFace,
+  Loop,
+  LoopCurve,
+  Profile,
+  SewnFace,
+} from "./cad/features/feature.js";
+export { deviationOf, rowsOf } from "./cad/features/grid-surface.js";
 export { type ImportedPart, partOfFile, type PartFile } from "./cad/features/import.js";
 export type { EdgeLine } from "./cad/features/evaluate.js";
 export { type DrawnSolid, drawnSolid, type SolidDrawing } from "./cad/features/drawing.js";

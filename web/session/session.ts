@@ -60,7 +60,7 @@ export class Session {
     this.documents.show(document);
     library?.keepOpen(document, release);
     this.bodies = new BodyFeed(this.documents, previewMesher);
-    this.solids = new Solids(this.bodies);
+    this.solids = new Solids(this.bodies, previewMesher);
     this.outdatedSolids = new OutdatedSolids(this.documents, this.solids);
     this.operations = new Operations(this.documents, this.view, this.solids);
     this.run = new MeshRun(this.documents, mesher, {

@@ -66,7 +66,7 @@ export class SmoothnessFeed {
           await pause(restMs, signal);
           signal.throwIfAborted();
           const [drawn] = engineInput(project);
-          return (await this.#mesher).sampleCurvature(drawn, { signal });
+          return (await this.#mesher).sampleCurvature(drawn, {}, { signal });
         },
         (samples) => {
           this.#known = { project, samples };

@@ -1,7 +1,8 @@
+import type { Mesher } from "tetrafront";
 import type { DrawnSolid, FeatureFailure, ImportedPart, PartFile } from "tetrafront/internal";
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import { nextBodyIds } from "../document/body-edits";
-import type { SolidMaker } from "../document/operations/operation";
+import type { DrawnSamples, SolidMaker } from "../document/operations/operation";
 import { operationStrings } from "../strings";
 import { SolidClient, type SolidAnswer } from "../workers/solids";
 import type { NewBody } from "../workers/surface-files";
@@ -32,15 +33,24 @@ export function withoutSurface<Body extends Partial<ProjectBody>>(body: Body) {
 /** Asks the kernel, in a worker. */
 export type KernelClient = Pick<SolidClient, "evaluate" | "draw" | "importPart" | "dispose">;
 
+/** Evaluates what is drawn. */
+type SampleMesher = Pick<Mesher, "previewProject" | "sampleCurvature">;
+
 /** Makes solids of features. */
 export class Solids implements SolidMaker {
   readonly #client: KernelClient;
   readonly #bodies: Pick<BodyFeed, "keep">;
+  readonly #mesher: Promise<SampleMesher>;
   #running: Promise<void> = Promise.resolve();
   readonly #edges = new Map<string, Promise<SolidAnswer<NewBody>["edges"]>>();
 
-  constructor(bodies: Pick<BodyFeed, "keep">, client: KernelClient = new SolidClient()) {
+  constructor(
+    bodies: Pick<BodyFeed, "keep">,
+    mesher: Promise<SampleMesher>,
+    client: KernelClient = new SolidClient(),
+  ) {
     this.#bodies = bodies;
+    this.#mesher = mesher;
     this.#client = client;
   }
 
@@ -50,6 +60,7 @@ export class Solids implements SolidMaker {
       bodyOf: (project, before, features) => this.bodyOf(project, before, features, signal),
       edgesOf: (features) => this.edgesOf(features),
       drawn: (features) => this.drawn(features),
+      samplesOf: (project, cells) => this.samplesOf(project, cells, signal),
     };
   }
 
@@ -95,6 +106,17 @@ export class Solids implements SolidMaker {
   /** Returns the solid of features as lines and patches. */
   drawn(features: readonly SolidFeature[]): Promise<DrawnSolid> {
     return this.#inTurn((client) => client.draw(features));
+  }
+
+  async samplesOf(project: Project, cells: number, signal?: AbortSignal): Promise<DrawnSamples> {
+    const drawn = { ...project, bodies: [], background: { nodes: [], tetrahedra: [] } };
+    const control = signal ? { signal } : {};
+    const mesher = await this.#mesher;
+    const [lines, patches] = await Promise.all([
+      mesher.previewProject(drawn, {}, control),
+      mesher.sampleCurvature(drawn, { cells }, control),
+    ]);
+    return { lines, patches };
   }
 
   /** Returns the solids of a CAD file, with the names and colours of their faces. */

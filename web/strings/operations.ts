@@ -118,6 +118,10 @@ export const operationStrings = {
     noProfile: "Select patches, or lines.",
     oneProfile: "Select one planar patch, or lines that form closed loops.",
     notPlane: "The loops of a solid must lie in a plane.",
+    notInPlane: (patch: string) => `The lines of ${patch} do not lie in a plane.`,
+    curvedHoles: (patch: string) =>
+      `${patch} is curved and has holes. Sew it without its holes, then cut them into the solid.`,
+    notEvaluated: (patch: string) => `${patch} has problems, so that it has no surface. Repair it first.`,
     curvesOfFeatures:
       "Loops of solids consist of straight lines, arcs, circles, and splines without tangents. Draw the others as splines.",
     twoSections:
@@ -233,6 +237,10 @@ export const operationStrings = {
       noPlace: "Colours of faces and element sizes of the solid are forgotten, too.",
     },
     noPatches: "Draw closed patches, or select one of them.",
+    threePatches: (line: string) =>
+      `More than two patches meet at ${line}. A solid has no patches inside: delete those, then sew.`,
+    keptShape:
+      "Curved patches are kept as they are drawn now: parameters of their points do not change the solid.",
     drilled: { noun: "hole", title: "Hole" },
     moved: { noun: "move", title: "Move of a solid" },
     translation: "Move by",

@@ -10,6 +10,10 @@
 
 namespace tetrafront {
 
+/// Rows and columns of a curved patch, by default and at most.
+inline constexpr std::uint32_t kShadedCells = 24;
+inline constexpr std::uint32_t kMaxShadedCells = 384;
+
 /// Triangles of all patches, with the normals and curvatures of the patches themselves. Patches share no vertices.
 struct CurvatureSamples {
   std::vector<double> points;    ///< x y z per vertex
@@ -24,10 +28,12 @@ struct CurvatureSamples {
 };
 
 /// Samples the normals and curvatures of a drawn model, which may have problems, in slices. About 4000 evaluations per curved
-/// patch; in patches with holes, of each vertex of their triangles too.
+/// patch by default; in patches with holes, of each vertex of their triangles too.
 class CurvatureSampler : public SlicedTool<CurvatureSamples> {
  public:
-  explicit CurvatureSampler(Model model);
+  /// `cells`: rows and columns of a curved patch without holes, of which a tube has several lattices: a whole number
+  /// from 1 to kMaxShadedCells.
+  explicit CurvatureSampler(Model model, double cells = kShadedCells);
 };
 
 }  // namespace tetrafront

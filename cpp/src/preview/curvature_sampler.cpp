@@ -19,8 +19,6 @@ namespace tetrafront {
 
 namespace {
 
-/// Rows and columns of a curved patch.
-constexpr int kShadedCells = 24;
 /// Step of the differences of tangents, in the unit domain: their error is about its square, 1e-6, far below what a colour shows, and
 /// rounding divided by the step is far smaller still.
 constexpr double kDifference = 1e-3;
@@ -85,7 +83,8 @@ Vec2 insideOf(const Vec2& centre, const Vec2& unit) {
 
 class ShapeCollector {
  public:
-  ShapeCollector() { samples_.patchOffsets.push_back(0); }
+  /// `cells`: rows and columns of a lattice.
+  explicit ShapeCollector(int cells) : cells_(cells) { samples_.patchOffsets.push_back(0); }
 
   std::uint32_t addVertex(const Vec3& position, const Shape& shape) {
     const auto vertex = static_cast<std::uint32_t>(samples_.gaussian.size());
@@ -113,12 +112,12 @@ class ShapeCollector {
     const auto evaluate = [&surface](const Vec2& unit) { return surface.evaluate(unit); };
     const auto first = static_cast<std::uint32_t>(samples_.gaussian.size());
     std::vector<std::uint32_t> rows;
-    for (int j = 0; j <= kShadedCells; ++j) {
+    for (int j = 0; j <= cells_; ++j) {
       rows.push_back(static_cast<std::uint32_t>(samples_.gaussian.size()));
-      const int columns = isTriangle ? kShadedCells - j : kShadedCells;
+      const int columns = isTriangle ? cells_ - j : cells_;
       for (int i = 0; i <= columns; ++i) {
-        const double share = static_cast<double>(i) / kShadedCells;
-        const Vec2 unit(from + (to - from) * share, static_cast<double>(j) / kShadedCells);
+        const double share = static_cast<double>(i) / cells_;
+        const Vec2 unit(from + (to - from) * share, static_cast<double>(j) / cells_);
         const Vec2 inside = insideOf(centre, unit);
         // The normals of a strip at a crease are those of its own side.
         const double margin = surface.tube() == nullptr ? 0.0 : kBesideCrease * (to - from);
@@ -127,8 +126,8 @@ class ShapeCollector {
                   shapeAt(evaluate, at, inside, (to - from) * kDifference));
       }
     }
-    for (int j = 0; j < kShadedCells; ++j) {
-      const int columns = isTriangle ? kShadedCells - j : kShadedCells;
+    for (int j = 0; j < cells_; ++j) {
+      const int columns = isTriangle ? cells_ - j : cells_;
       const std::uint32_t low = rows[static_cast<std::size_t>(j)];
       const std::uint32_t high = rows[static_cast<std::size_t>(j) + 1];
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(columns); ++i) {
@@ -152,6 +151,7 @@ class ShapeCollector {
     }
   }
 
+  int cells_;
   CurvatureSamples samples_;
 };
 
@@ -222,13 +222,19 @@ void addTube(const UnitSurface& surface, ShapeCollector& collector) {
                          i + 1 < creases.size() ? creases[i + 1] : creases.front() + 1.0);
 }
 
-Task<CurvatureSamples> sampleCurvature(Work& work, const Model& model) {
+struct CurvatureInput {
+  Model model;
+  int cells;
+};
+
+Task<CurvatureSamples> sampleCurvature(Work& work, const CurvatureInput& input) {
+  const Model& model = input.model;
   work.beginPart(0.3);
   const CheckedModel found = co_await checkModel(work, model);
   work.beginPart(1.0);
   const ResolvedModel resolved(model, found.usableLines);
   Triangulated triangulated(model, found);
-  ShapeCollector collector;
+  ShapeCollector collector(input.cells);
   for (std::uint32_t patch = 0; patch < model.patches.size(); ++patch) {
     if (found.usablePatches[patch] != 0) {
       const Patch& drawn = model.patches[patch];
@@ -249,7 +255,10 @@ Task<CurvatureSamples> sampleCurvature(Work& work, const Model& model) {
 
 }  // namespace
 
-CurvatureSampler::CurvatureSampler(Model model)
-    : SlicedTool(makeToolJob<CurvatureSamples>(std::move(model), sampleCurvature)) {}
+CurvatureSampler::CurvatureSampler(Model model, double cells)
+    : SlicedTool(makeToolJob<CurvatureSamples>(
+          CurvatureInput{std::move(model),
+                         static_cast<int>(std::clamp<double>(cells, 1.0, kMaxShadedCells))},
+          sampleCurvature)) {}
 
 }  // namespace tetrafront

@@ -128,7 +128,7 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   previewModel: () => [model, grid, options, false],
   cover: () => [model, 0, 0],
   propose: () => [model, engineProposalOptions({ maxSize: 0.9 })],
-  sampleCurvature: () => [model],
+  sampleCurvature: () => [model, 24],
   sampleSizes: () => [model, noBodies, grid, options, points.slice()],
   backgroundFromMesh: () => [mesh, new Float64Array()],
   inspectSurface: () => [...surfaceArrays, inspectionOptions, none],

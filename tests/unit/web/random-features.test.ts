@@ -31,6 +31,7 @@ const solids = {
     return Promise.resolve({ ...kept, id: 1, ...made, ...(failures.length > 0 && { failures }) });
   },
   edgesOf: () => Promise.resolve([{ name: "1/top|1/left", faces: ["1/top", "1/left"] as const }]),
+  samplesOf: () => Promise.reject(new Error("not sampled")),
   drawn: () => drawn(),
 };
 

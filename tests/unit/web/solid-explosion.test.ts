@@ -20,6 +20,7 @@ beforeAll(async () => {
 const solids: SolidMaker = {
   bodyOf: () => Promise.reject(new Error("no body")),
   edgesOf: () => Promise.resolve([]),
+  samplesOf: () => Promise.reject(new Error("not sampled")),
   drawn: (features) => Promise.resolve(drawnSolid(kernel, features)),
 };
 

@@ -46,6 +46,7 @@ const solids: SolidMaker = {
     return Promise.resolve({ ...body, ...(failures.length > 0 && { failures }) });
   },
   edgesOf: () => Promise.resolve([]),
+  samplesOf: () => Promise.reject(new Error("not sampled")),
   drawn: (features) => Promise.resolve(drawnSolid(kernel, features)),
 };
 

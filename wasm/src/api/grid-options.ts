@@ -4,18 +4,25 @@ import { numbersOf } from "../base/enums.js";
 import { objectWith } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EngineProposalOptions } from "../engine/loader.js";
-import { COVER_SHAPES, type CoverShape, PROPOSAL_DEFAULTS } from "../generated/constants.js";
+import {
+  COVER_SHAPES,
+  type CoverShape,
+  MAX_SHADED_CELLS,
+  PROPOSAL_DEFAULTS,
+  SHADED_CELLS,
+} from "../generated/constants.js";
 import {
   option,
   type EntriesOf,
   within,
+  wholeWithin,
   growthOption,
   choiceOption,
   shared,
   checkAgainst,
   finiteGrowth,
 } from "./option-schema.js";
-import type { CoverOptions, ProposalOptions } from "./option-types.js";
+import type { CoverOptions, CurvatureOptions, ProposalOptions } from "./option-types.js";
 
 const COVER_SHAPE_NUMBERS = numbersOf(COVER_SHAPES);
 export const DEFAULT_COVER_SHAPE: CoverShape = "box";
@@ -46,10 +53,23 @@ const proposalSchema = objectWith({
   growth: growthOption(PROPOSAL_DEFAULTS.growth),
 } satisfies EntriesOf<ProposalOptions>);
 
+const curvatureSchema = objectWith({
+  cells: option(
+    "number of cells",
+    `a whole number from 1 to ${MAX_SHADED_CELLS}`,
+    wholeWithin(1, MAX_SHADED_CELLS),
+    SHADED_CELLS,
+  ),
+} satisfies EntriesOf<CurvatureOptions>);
+
 const gridSchema = objectWith({ sizes: v.optional(v.unknown()) });
 
 export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
   return checkAgainst(options, coverSchema);
+}
+
+export function checkCurvatureOptions(options: CurvatureOptions): Diagnostic[] {
+  return checkAgainst(options, curvatureSchema);
 }
 
 /** Checks the options of `backgroundFromMesh`; the sizes are checked together with the mesh. */

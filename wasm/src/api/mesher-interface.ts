@@ -22,6 +22,7 @@ import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground, ProjectSource } from "../project/project-types.js";
 import type {
   CoverOptions,
+  CurvatureOptions,
   CycleOptions,
   AdaptOptions,
   LayerOptions,
@@ -65,7 +66,12 @@ export interface SizeSamples {
   readonly tetrahedra: number | null;
 }
 
-/** Result of `sampleCurvature`: triangles of all drawn patches, which share no vertices. */
+/**
+ * Result of `sampleCurvature`: triangles of all drawn patches, which share no vertices. The vertices of a curved patch without holes
+ * are a lattice, even in its parameters: row after row, as many as columns, or with one vertex less than the row before in a
+ * triangle. Those of a tube are several lattices around it. The first triangle has the first two vertices of the first row, and the first one
+ * of the second row.
+ */
 export interface CurvatureSamples {
   /** x y z per vertex. */
   readonly points: Float64Array;
@@ -185,7 +191,11 @@ export interface Mesher {
    *
    *     const { normals, largest } = await mesher.sampleCurvature(project);
    */
-  sampleCurvature(project: Project, control?: RunControl): Promise<CurvatureSamples>;
+  sampleCurvature(
+    project: Project,
+    options?: CurvatureOptions,
+    control?: RunControl,
+  ): Promise<CurvatureSamples>;
   /**
    * Converts a mesh to a background grid, with the given sizes (one per node), else with the node values `size` of its file,
    * and with `stretching` and `direction`, `secondStretching` and `secondDirection` if it has them, else with those of its node

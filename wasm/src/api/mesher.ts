@@ -43,6 +43,7 @@ import { sizeFromSolution, transferSolution } from "./solution.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
   CoverOptions,
+  CurvatureOptions,
   CycleOptions,
   AdaptOptions,
   LayerOptions,
@@ -174,8 +175,12 @@ class WorkerMesher implements Mesher {
     return sampleSizes(this.#client, project, positions, options, control);
   }
 
-  async sampleCurvature(project: Project, control: RunControl = {}): Promise<CurvatureSamples> {
-    return this.#projects.curvature(project, control);
+  async sampleCurvature(
+    project: Project,
+    options: CurvatureOptions = {},
+    control: RunControl = {},
+  ): Promise<CurvatureSamples> {
+    return this.#projects.curvature(project, options, control);
   }
 
   async backgroundFromMesh(

@@ -380,3 +380,9 @@ export interface SurfaceMeshOptions extends MeshOptions, OrderOptions, RemeshSet
   /** Split patches at edges that are sharper than this angle in degrees; `true` for 40. Default: patches stay. */
   readonly splitPatches?: boolean | number | undefined;
 }
+
+/** Options of `sampleCurvature`. */
+export interface CurvatureOptions {
+  /** Rows and columns of the lattice of a curved patch, 1 to 384, by default 24: the time grows with their square. */
+  readonly cells?: number | undefined;
+}

@@ -18,13 +18,15 @@ import { bodyProblems, hasBodies } from "./body-preparation.js";
 import { beginCall } from "./call-checks.js";
 import { checkProject, drawnArrays, nothingToCover } from "./input-checks.js";
 import type { CurvatureSamples, SizeProposal } from "./mesher-interface.js";
-import type { CoverOptions, PreviewOptions, ProposalOptions } from "./option-types.js";
+import type { CoverOptions, CurvatureOptions, PreviewOptions, ProposalOptions } from "./option-types.js";
 import {
   checkCoverOptions,
+  checkCurvatureOptions,
   checkProposalOptions,
   engineCoverOptions,
   engineProposalOptions,
 } from "./grid-options.js";
+import { SHADED_CELLS } from "../generated/constants.js";
 import { checkPreviewOptions, engineOptions, withSettings } from "./mesh-options.js";
 import { describedPreview } from "./report.js";
 
@@ -70,10 +72,15 @@ export class ProjectTools {
     return { ...projectBackground(grid), ...(sources && { sources }) };
   }
 
-  async curvature(project: Project, control: RunControl): Promise<CurvatureSamples> {
+  async curvature(
+    project: Project,
+    options: CurvatureOptions,
+    control: RunControl,
+  ): Promise<CurvatureSamples> {
     beginCall(this.#client, control);
-    refuse(checkProject(project));
-    return this.#client.ask("sampleCurvature", [modelArrays(project)], control);
+    refuse([...checkProject(project), ...checkCurvatureOptions(options)]);
+    const { cells = SHADED_CELLS } = options;
+    return this.#client.ask("sampleCurvature", [modelArrays(project), cells], control);
   }
 
   async propose(project: Project, options: ProposalOptions, control: RunControl): Promise<SizeProposal> {

@@ -35,7 +35,12 @@ const curve = v.variant("kind", [
     kind: v.literal("arc"),
     points: v.pipe(v.strictTuple([threeNumbers, threeNumbers, threeNumbers]), v.readonly()),
   }),
-  objectWith({ kind: v.literal("spline"), points: listOf(threeNumbers), isClosed: v.optional(v.boolean()) }),
+  objectWith({
+    kind: v.literal("spline"),
+    points: listOf(threeNumbers),
+    isClosed: v.optional(v.boolean()),
+    isEven: v.optional(v.boolean()),
+  }),
   objectWith({ kind: v.literal("circle"), center: threeNumbers, axis: threeNumbers, radius: number }),
   objectWith({
     kind: v.literal("three-point-circle"),
@@ -44,6 +49,11 @@ const curve = v.variant("kind", [
 ]);
 const loop = listOf(curve);
 const profile = objectWith({ outer: loop, holes: v.optional(listOf(loop)) });
+
+const turnedFace = objectWith({ ...rotation, curve });
+const gridFace = objectWith({ grid: v.picklist(["square", "triangle"]), positions: v.string() });
+const sewnFace = v.union([profile, turnedFace, gridFace]);
+const looks = v.optional(listOf(objectWith({ name: v.optional(v.string()), color: v.optional(color) })));
 
 /** The schema of one feature. */
 export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
@@ -85,12 +95,12 @@ export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
       isRuled: v.optional(v.boolean()),
     }),
     objectWith({ ...piece, type: v.literal("sweep"), profile, path: loop }),
-    objectWith({ ...piece, type: v.literal("sew"), faces: listOf(profile) }),
+    objectWith({ ...piece, type: v.literal("sew"), faces: listOf(sewnFace), looks }),
     objectWith({
       ...piece,
       type: v.literal("import"),
       brep: v.string(),
-      looks: v.optional(listOf(objectWith({ name: v.optional(v.string()), color: v.optional(color) }))),
+      looks,
     }),
     objectWith({ ...piece, type: v.literal("boolean"), tool: v.lazy(() => listOf(featureSchema)) }),
     objectWith({

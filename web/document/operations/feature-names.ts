@@ -15,11 +15,13 @@ export function featureLabel(features: readonly SolidFeature[], id: number): str
   return `${capital(nouns[feature.type])} ${alike.indexOf(feature) + 1}`;
 }
 
-/** Returns what the file of a part says about a face or a piece of it, by its origin: `3/face 2`, `3/face 2#4`. */
+/** Returns what the file of a part, or a sewn patch, says about a face or a piece of it, by its origin: `3/face 2`, `3/face 2#4`. */
 export function faceLook(features: readonly SolidFeature[], origin: string): FaceLook | undefined {
   const [, id, face] = /^(\d+)\/face (\d+)(#\d+)?$/.exec(origin) ?? [];
   const feature = features.find((one) => one.id === Number(id));
-  return feature?.type === "import" ? feature.looks?.[Number(face) - 1] : undefined;
+  return feature?.type === "import" || feature?.type === "sew"
+    ? feature.looks?.[Number(face) - 1]
+    : undefined;
 }
 
 /**

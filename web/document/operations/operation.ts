@@ -1,5 +1,6 @@
+import type { CurvatureSamples } from "tetrafront";
 import type { DrawnSolid } from "tetrafront/internal";
-import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
+import type { Project, ProjectBody, ProjectPreview, SolidFeature } from "tetrafront/project";
 import type { Offer } from "../create";
 import type { Entity } from "../entities";
 import { quantity, type Quantity } from "../../expressions/quantity";
@@ -127,6 +128,12 @@ export interface Subject {
 }
 
 /** Makes solids of features, which takes a moment. */
+/** Positions on what is drawn, in the order of the project. */
+export interface DrawnSamples {
+  readonly lines: Pick<ProjectPreview, "linePoints" | "lineOffsets">;
+  readonly patches: Pick<CurvatureSamples, "points" | "triangles" | "patchOffsets">;
+}
+
 export interface SolidMaker {
   /**
    * Returns the body of features, with those that fail: a given one, changed, or a new one. Rejects with a sentence if nothing is
@@ -143,6 +150,8 @@ export interface SolidMaker {
   ): Promise<readonly { readonly name: string; readonly faces: readonly [string, string] }[]>;
   /** Returns the solid as lines and patches. */
   drawn(features: readonly SolidFeature[]): Promise<DrawnSolid>;
+  /** Returns positions on the lines and patches of a project, with as many rows and columns per curved patch. */
+  samplesOf(project: Project, cells: number): Promise<DrawnSamples>;
 }
 
 /** An operation with its fields. `Values` is a type of the same keys as the fields. */

@@ -1,10 +1,10 @@
-import type { Project } from "tetrafront/project";
-import { operationStrings, stepNames } from "../../strings";
+import type { Project, ProjectPatch } from "tetrafront/project";
+import { defaultName, operationStrings, stepNames } from "../../strings";
 import { connectedPatches } from "../booleans/solids";
 import type { Offer } from "../create";
-import type { Entity } from "../entities";
+import { entityName, type Entity } from "../entities";
 import type { Operation } from "./operation";
-import { drawnProfile } from "./solid-profiles";
+import { arePlain, plainFaces, sampledFaces } from "./sewn-faces";
 import { keepProfile, withoutProfile } from "./solid-sweeps";
 import { addedPiece, makesField, solidIn, solidNote, withoutPatches, type PieceUse } from "./solids";
 
@@ -12,7 +12,7 @@ const texts = operationStrings.solids;
 
 type Values = { readonly makes: PieceUse; readonly keepProfile: boolean };
 
-/** Makes a solid of drawn planar patches: those that are connected to a selected one, or all. */
+/** Makes a solid of drawn patches: those that are connected to a selected one, or all. */
 export const sew: Operation<Values> = {
   id: "sew",
   ...texts.sewn,
@@ -25,25 +25,57 @@ export const sew: Operation<Values> = {
     keepProfile,
   ],
   note: ({ makes }, subject) => (makes === "patches" ? "" : solidNote(makes, subject)),
-  make: ({ project, selection }) => ({ possible: false, reason: facesOf(project, selection).reason }),
+  make: ({ project, selection }) => ({
+    possible: false,
+    reason: patchesIn(project, selection).length === 0 ? texts.noPatches : "",
+  }),
   makeLater: async (subject, values, solids) => {
     const { project, selection } = subject;
-    const { patches, faces, reason } = facesOf(project, selection);
-    if (values.makes === "patches" || reason !== "") return { possible: false, reason } satisfies Offer;
+    const patches = patchesIn(project, selection);
+    if (values.makes === "patches" || patches.length === 0)
+      return { possible: false, reason: texts.noPatches } satisfies Offer;
+    const shared = lineOfThree(patches);
+    if (shared !== undefined)
+      return { possible: false, reason: texts.threePatches(lineName(project, shared)) } satisfies Offer;
+    const isPlain = arePlain(project, patches);
+    const found = isPlain ? plainFaces(project, patches) : await sampledFaces(project, patches, solids);
+    if ("reason" in found) return { possible: false, reason: found.reason } satisfies Offer;
     const addition = { subject, solids, noun: texts.sewn.noun, use: values.makes };
-    const offer = await addedPiece(addition, { type: "sew", faces });
-    return values.keepProfile ? offer : withoutProfile(project, patches, offer);
+    const made = await addedPiece(addition, { type: "sew", ...found });
+    const offer = isPlain ? made : noted(made, texts.keptShape);
+    const drawn = patches.map(({ id }): Entity => ({ kind: "patch", id }));
+    return values.keepProfile ? offer : withoutProfile(project, drawn, offer);
   },
 };
 
-/** Returns the patches that are sewn, and their loops, or why they cannot be sewn. */
-function facesOf(project: Project, selection: readonly Entity[]) {
+/** Returns the patches that are sewn. */
+function patchesIn(project: Project, selection: readonly Entity[]): ProjectPatch[] {
   const selected = new Set(selection.flatMap(({ kind, id }) => (kind === "patch" ? [id] : [])));
   const groups = connectedPatches(project);
-  const meant = selected.size > 0 ? groups.filter((group) => group.some((id) => selected.has(id))) : groups;
-  const patches = meant.flat().map((id): Entity => ({ kind: "patch", id }));
-  const found = patches.map((patch) => drawnProfile(project, [patch]));
-  const faces = found.flatMap((one) => (one.success ? [one.profile] : []));
-  const [refused] = found.flatMap((one) => (one.success ? [] : [one.reason]));
-  return { patches, faces, reason: patches.length === 0 ? texts.noPatches : (refused ?? "") };
+  const meant = new Set(
+    (selected.size > 0 ? groups.filter((group) => group.some((id) => selected.has(id))) : groups).flat(),
+  );
+  return project.patches.filter(({ id }) => meant.has(id));
 }
+
+/** Returns a line at which more than two of the patches meet. */
+function lineOfThree(patches: readonly ProjectPatch[]): number | undefined {
+  const uses = new Map<number, number>();
+  for (const step of patches.flatMap(({ type, loops }) =>
+    (type === "loft" ? loops.slice(0, 1) : loops).flat(),
+  ))
+    uses.set(Math.abs(step), (uses.get(Math.abs(step)) ?? 0) + 1);
+  return [...uses].find(([, count]) => count > 2)?.[0];
+}
+
+const lineName = (project: Project, id: number): string =>
+  entityName(project, { kind: "line", id }) ?? defaultName("line", id);
+
+/** Returns an offer with a further note. */
+const noted = (offer: Offer, note: string): Offer =>
+  offer.possible
+    ? {
+        ...offer,
+        creation: { ...offer.creation, note: [offer.creation.note, note].filter(Boolean).join(" ") },
+      }
+    : offer;

@@ -22,12 +22,17 @@ export interface Placement {
 
 /**
  * A piece of a loop. An arc runs through its second point; a closed spline returns to its first point, which is given
- * once. A circle runs counter-clockwise about its axis, or from its first point over the second to the third.
+ * once. The points of a spline with `isEven` are even in its parameter: it is the edge of a face through the same positions. A circle runs counter-clockwise about its axis, or from its first point over the second to the third.
  */
 export type LoopCurve =
   | { readonly kind: "line"; readonly points: readonly [Vector, Vector] }
   | { readonly kind: "arc"; readonly points: readonly [Vector, Vector, Vector] }
-  | { readonly kind: "spline"; readonly points: readonly Vector[]; readonly isClosed?: boolean | undefined }
+  | {
+      readonly kind: "spline";
+      readonly points: readonly Vector[];
+      readonly isClosed?: boolean | undefined;
+      readonly isEven?: boolean | undefined;
+    }
   | { readonly kind: "circle"; readonly center: Vector; readonly axis: Vector; readonly radius: number }
   | { readonly kind: "three-point-circle"; readonly points: readonly [Vector, Vector, Vector] };
 
@@ -46,7 +51,23 @@ interface Rotation {
   readonly angle: number;
 }
 
-/** What a CAD file says about a face. */
+/** A curve that is turned about an axis: faces of cylinders, cones, spheres and tori, exactly. */
+export type TurnedFace = { readonly curve: LoopCurve } & Rotation;
+
+/**
+ * A smooth surface through positions on a patch, even in its parameters: as many rows as columns, or a triangle, each row of which
+ * has one position less than the row before.
+ */
+export interface GridFace {
+  readonly grid: "square" | "triangle";
+  /** x y z of each position as doubles, little-endian, in base64. */
+  readonly positions: string;
+}
+
+/** A face of a sewn solid: plane within loops, turned, or through positions. */
+export type SewnFace = Profile | TurnedFace | GridFace;
+
+/** What a CAD file or a drawn patch says about a face. */
 export interface FaceLook {
   readonly name?: string | undefined;
   /** Red, green and blue from 0 to 1. */
@@ -83,8 +104,8 @@ export interface PieceKinds {
   readonly loft: { readonly sections: readonly Profile[]; readonly isRuled?: boolean | undefined };
   /** The path begins at the profile, and is open. */
   readonly sweep: { readonly profile: Profile; readonly path: Loop };
-  /** The solid that plane faces enclose. Their loops meet along equal curves. */
-  readonly sew: { readonly faces: readonly Profile[] };
+  /** The solid that faces enclose, which meet along equal curves; and the names and colours of the faces, if any has one. */
+  readonly sew: { readonly faces: readonly SewnFace[]; readonly looks?: readonly FaceLook[] | undefined };
   /** The text of a BREP file; and the names and colours of its faces in their order, if the file had any. */
   readonly import: { readonly brep: string; readonly looks?: readonly FaceLook[] | undefined };
   /** The solid of another list of features. */

@@ -10,6 +10,7 @@ import type {
 import { cosineAndSine } from "../../base/same-everywhere.js";
 import { cross, dot, lengthOf, minus, plus, scaled, type Vector } from "../../base/vectors.js";
 import type { Loop, LoopCurve, Placement, Profile } from "./feature.js";
+import { curveThrough } from "./grid-surface.js";
 import { FeatureError, type Session } from "./session.js";
 
 /** A wire, and its edges in the order of the curves. */
@@ -201,6 +202,7 @@ function curveOf(session: Session, curve: KernelCurve) {
     return session.hold(arc.Value());
   }
   if (curve.kind !== "spline") throw new FeatureError("A closed curve is in a loop with others.");
+  if (curve.isEven === true && curve.isClosed !== true) return curveThrough(session, curve.points);
   const array = session.hold(new NCollection_Array1_gp_Pnt(1, curve.points.length));
   curve.points.forEach((point, p) => array.SetValue(p + 1, session.point(point)));
   const points = session.hold(new NCollection_HArray1_gp_Pnt(array));

@@ -8,7 +8,7 @@ import type {
 } from "replicad-opencascadejs";
 
 import { cosineAndSine } from "../../base/same-everywhere.js";
-import { dot, lengthOf, minus, scaled, type Vector } from "../../base/vectors.js";
+import { dot, lengthOf, scaled, type Vector } from "../../base/vectors.js";
 import { combined } from "./combining.js";
 import type { FeatureOf, Piece, PieceKinds, Placement, Profile } from "./feature.js";
 import { flatFace, frameOf, polygon, type Wire, wireOf } from "./loops.js";
@@ -21,6 +21,7 @@ import {
   soundShape,
 } from "./named-solid.js";
 import { FeatureError, type Session } from "./session.js";
+import { sewn } from "./sewing.js";
 
 /** Makes the solid of a feature with a list of its own. */
 export type SolidOfList = (feature: FeatureOf<"boolean">) => NamedSolid;
@@ -34,8 +35,6 @@ type Makers = {
 };
 
 const RADIANS = Math.PI / 180;
-/** Distance of curves that are one edge, as a part of the size of all faces. */
-const SEWING_TOLERANCE = 1e-9;
 
 /** Throws if one of the lengths is not positive. */
 export function requirePositive(lengths: Readonly<Record<string, number>>): void {
@@ -144,29 +143,7 @@ const MAKERS: Makers = {
       return maker;
     });
   },
-  sew: (session, { id, faces }) => {
-    const { BRepBuilderAPI_Sewing, BRepBuilderAPI_MakeSolid, TopoDS } = session.kernel;
-    const made = faces.map((profile) => flatFace(session, profile).face);
-    const [low, high] = session.bounds(session.together(made));
-    const sewing = session.hold(
-      new BRepBuilderAPI_Sewing(SEWING_TOLERANCE * lengthOf(minus(high, low)), true, true, true, false),
-    );
-    for (const face of made) sewing.Add(face);
-    sewing.Perform(session.progress());
-    const shells = session.parts(session.hold(sewing.SewedShape()), "shell");
-    if (shells.length === 0 || sewing.NbFreeEdges() > 0)
-      throw new FeatureError("The patches do not enclose a volume.");
-    const solids = shells.map((shell) => {
-      const maker = session.hold(new BRepBuilderAPI_MakeSolid(session.hold(TopoDS.Shell(shell))));
-      return session.hold(maker.Solid());
-    });
-    return named(session, soundShape(session, session.together(solids)), `${id}/face`, (give) => {
-      made.forEach((face, f) => {
-        const after = sewing.IsModified(face) ? session.hold(sewing.Modified(face)) : face;
-        give([after], `${id}/face ${f + 1}`);
-      });
-    });
-  },
+  sew: sewn,
   import: (session, { id, brep }) => {
     const shape = soundShape(session, session.hold(session.kernel.BRepToolsWrapper.Read(brep)));
     requireDescribable(session, shape);
