@@ -4,6 +4,7 @@ import { defineConfig } from "vite";
 import { startGroups } from "../scripts/lib/site-chunks.mjs";
 import { compressedAnswers } from "../scripts/lib/compressed-answers.mjs";
 import { embindWithoutText } from "../scripts/lib/site-embind.mjs";
+import { smallerFont } from "../scripts/lib/site-font.mjs";
 import { thirdPartyNotices } from "../scripts/lib/site-notices.mjs";
 import { offlineSite } from "../scripts/lib/site-offline.mjs";
 import { contentSecurityPolicy } from "../scripts/lib/site-policy.mjs";
@@ -69,8 +70,11 @@ export default defineConfig({
   ],
   worker: { format: "es", plugins: () => [withoutNodeModules(), withoutSchemaText(), notices.ofWorker()] },
   resolve: {
-    // Locks the scroll bar behind a dialog by a style element, which the policy of the page forbids.
-    alias: { "react-style-singleton": inRoot("./ui/theme/style-singleton.ts") },
+    alias: [
+      // Locks the scroll bar behind a dialog by a style element, which the policy of the page forbids.
+      { find: "react-style-singleton", replacement: inRoot("./ui/theme/style-singleton.ts") },
+      await smallerFont(),
+    ],
   },
   server: { headers: isolation },
   preview: { headers: isolation },
