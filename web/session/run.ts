@@ -186,7 +186,7 @@ export class MeshRun {
   readonly state: StoreApi<RunState> = createStore<RunState>(() => emptyRun);
   readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
-  readonly #kept = new KeptMeshes();
+  readonly #kept: KeptMeshes;
   /** The run of the present document; null without one. */
   #active: ActiveRun | null = null;
   /** Resolves when the last run has ended, that of another document too. */
@@ -202,6 +202,10 @@ export class MeshRun {
     this.#documents = documents;
     this.#mesher = mesher;
     this.#preparations = preparations;
+    this.#kept = new KeptMeshes(documents.state.getState().id);
+    documents.state.subscribe(({ id }, before) => {
+      if (id !== before.id) this.#kept.open(id, before.id);
+    });
     documents.onSettled((content) => this.#showCached(content));
     documents.onLeave(() => {
       this.#active = null;
@@ -514,7 +518,7 @@ export class MeshRun {
 
   #showCached(content: DocumentContent): void {
     const key = shownMeshKey(content);
-    const kept = this.#kept.get(key);
+    const kept = this.#kept.show(key);
     if (!kept) return;
     const { shown, warnings } = kept;
     const meshedBodies = placedSurfacesKey(bodiesOf(content.project));
