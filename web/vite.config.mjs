@@ -4,8 +4,10 @@ import { defineConfig } from "vite";
 import { startGroups } from "../scripts/lib/site-chunks.mjs";
 import { compressedAnswers } from "../scripts/lib/compressed-answers.mjs";
 import { embindWithoutText } from "../scripts/lib/site-embind.mjs";
+import { smallerFont } from "../scripts/lib/site-font.mjs";
 import { thirdPartyNotices } from "../scripts/lib/site-notices.mjs";
 import { offlineSite } from "../scripts/lib/site-offline.mjs";
+import { smallerPackage } from "../scripts/lib/site-package.mjs";
 import { contentSecurityPolicy } from "../scripts/lib/site-policy.mjs";
 import { preloadedApp } from "../scripts/lib/site-preload.mjs";
 import { smallerThree } from "../scripts/lib/site-three.mjs";
@@ -32,13 +34,6 @@ function withoutNodeModules() {
   };
 }
 
-/** The descriptions of a project's fields are only for the JSON Schema, which the package has. */
-const withoutSchemaText = () => ({
-  name: "tetrafront:without-schema-text",
-  enforce: "pre",
-  load: (id) => (/\/project\/words\.js$/.test(id) ? "export const WORDS = {};" : null),
-});
-
 const lessons = {
   root: inRoot("."),
   sources: inRoot("./lessons"),
@@ -57,7 +52,7 @@ export default defineConfig({
     lessonSite(lessons),
     react(),
     withoutNodeModules(),
-    withoutSchemaText(),
+    smallerPackage(),
     embindWithoutText(),
     smallerThree(),
     preloadedApp(),
@@ -67,10 +62,13 @@ export default defineConfig({
     lessonTraces(),
     offlineSite({ source: inRoot("./service-worker.ts") }),
   ],
-  worker: { format: "es", plugins: () => [withoutNodeModules(), withoutSchemaText(), notices.ofWorker()] },
+  worker: { format: "es", plugins: () => [withoutNodeModules(), smallerPackage(), notices.ofWorker()] },
   resolve: {
-    // Locks the scroll bar behind a dialog by a style element, which the policy of the page forbids.
-    alias: { "react-style-singleton": inRoot("./ui/theme/style-singleton.ts") },
+    alias: [
+      // Locks the scroll bar behind a dialog by a style element, which the policy of the page forbids.
+      { find: "react-style-singleton", replacement: inRoot("./ui/theme/style-singleton.ts") },
+      await smallerFont(),
+    ],
   },
   server: { headers: isolation },
   preview: { headers: isolation },

@@ -5,6 +5,7 @@ import { readdir, readFile, stat, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
+import { whenWritten } from "./site-written.mjs";
 
 const types = {
   ".css": "text/css",
@@ -98,23 +99,11 @@ async function compressFirstVisit(folder) {
 }
 
 export function compressedAnswers() {
-  let folder = "";
-  let isWritten = false;
   return {
     name: "tetrafront:compressed-answers",
-    configResolved: ({ root, build: { outDir } }) => {
-      folder = path.resolve(root, outDir);
-    },
-    writeBundle: () => {
-      isWritten = true;
-    },
-    closeBundle: {
-      sequential: true,
-      // A failed build has no files, and prints its own error.
-      handler: () => (isWritten ? compressFirstVisit(folder) : undefined),
-    },
-    configurePreviewServer({ middlewares, config }) {
-      middlewares.use(compressedFiles(folder, config.preview.headers));
+    ...whenWritten(compressFirstVisit),
+    configurePreviewServer({ middlewares, config: { root, build, preview } }) {
+      middlewares.use(compressedFiles(path.resolve(root, build.outDir), preview.headers));
     },
   };
 }

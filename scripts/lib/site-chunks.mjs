@@ -1,46 +1,55 @@
 // The scripts that every visit needs, in few files: each file is a request, and small ones compress badly.
 import path from "node:path";
 
-/** Files of the package that only hand on what others export, by the name under which they are imported. */
-const PACKAGE = /^tetrafront(?:\/(\w+))?$/;
-const HANDED_ON = /[\\/]wasm[\\/]dist[\\/]\w+\.js$/;
+/** Modules that only hand on what others export, by the name under which they are imported. */
+const HANDING = /^(?:tetrafront(?:\/\w+)?|@mantine\/(?:core|hooks|spotlight)|@tabler\/icons-react)$/;
+const HANDED_ON =
+  /[\\/](?:wasm[\\/]dist[\\/]\w+\.js|@mantine[\\/](?:core|hooks|spotlight)[\\/]esm[\\/]index\.mjs|tabler-icons-react\.mjs)$/;
 
 /** Imports and exports with names: `import a, { b as c } from "d"`. */
 const NAMED = /\b(?:import|export)\s*(?:[\w$]+\s*,\s*)?\{([^}]*)\}\s*from\s*["']([^"']+)["']/g;
 
-/** Returns the names of each imported or exported list, as the other module has them. */
+/** Returns each imported or exported list: `names` as the other module has them, `own` as this one has. */
 function namedIn(code) {
-  return [...code.matchAll(NAMED)].map(([, list, from]) => ({
-    names: list
+  return [...code.matchAll(NAMED)].map(([, list, from]) => {
+    const pairs = list
       .split(",")
-      .map((one) => one.trim().split(/\s+as\s+/)[0])
-      .filter((one) => one !== ""),
-    from,
-  }));
+      .map((one) => one.trim().split(/\s+as\s+/))
+      .filter(([name]) => name !== "");
+    return { names: pairs.map(([name]) => name), own: pairs.map((pair) => pair.at(-1)), from };
+  });
 }
 
-/** Returns the module in which a file of the package has each name that it hands on. */
+const ownersOf = new Map();
+
+/** Returns the module in which a module that hands on has each name. */
 function ownersIn(id, ctx) {
-  const owners = new Map();
-  for (const { names, from } of namedIn(ctx.getModuleInfo(id)?.code ?? ""))
-    for (const name of names) owners.set(name, path.resolve(path.dirname(id), from));
+  let owners = ownersOf.get(id);
+  if (owners !== undefined) return owners;
+  owners = new Map();
+  for (const { own, from } of namedIn(ctx.getModuleInfo(id)?.code ?? ""))
+    for (const name of own) owners.set(name, path.resolve(path.dirname(id), from));
+  ownersOf.set(id, owners);
   return owners;
 }
 
+/** Returns whether `id` is what an import of `from` leads to: `tetrafront/internal` to `internal.js`, others by their folder. */
+function isImportOf(id, from) {
+  if (!from.startsWith("tetrafront")) return id.replaceAll("\\", "/").includes(`/node_modules/${from}/`);
+  return path.basename(id) === `${from.split("/")[1] ?? "index"}.js`;
+}
+
 /**
- * Returns what a module imports statically. Of the files of the package that hand on, these are only the modules of the names that it
+ * Returns what a module imports statically. Of modules that hand on, these are only the modules of the names that it
  * imports: the bundler leaves out the others, unless something else needs them, for example a reader of files when the first is read.
  */
 function importedBy(id, ctx) {
   const { importedIds = [], code } = ctx.getModuleInfo(id) ?? {};
-  const direct = importedIds.filter((imported) => !HANDED_ON.test(imported));
-  if (direct.length === importedIds.length) return direct;
-  const named = namedIn(code ?? "").filter(({ from }) => PACKAGE.test(from));
+  const barrels = importedIds.filter((imported) => HANDED_ON.test(imported));
+  if (barrels.length === 0) return importedIds;
+  const named = namedIn(code ?? "").filter(({ from }) => HANDING.test(from));
   const owned = named.flatMap(({ names, from }) => {
-    const file = `${PACKAGE.exec(from)?.[1] ?? "index"}.js`;
-    const barrel = importedIds.find(
-      (imported) => HANDED_ON.test(imported) && path.basename(imported) === file,
-    );
+    const barrel = barrels.find((imported) => isImportOf(imported, from));
     const owners = barrel === undefined ? new Map() : ownersIn(barrel, ctx);
     return names.map((name) => {
       const owner = owners.get(name);
@@ -48,7 +57,7 @@ function importedBy(id, ctx) {
       return owner;
     });
   });
-  return [...direct, ...owned];
+  return [...importedIds.filter((imported) => !HANDED_ON.test(imported)), ...owned];
 }
 
 /** Returns what a module imports, statically or not. */

@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { build } from "esbuild";
 import { filesUnder } from "./fresh.mjs";
+import { whenWritten } from "./site-written.mjs";
 
 /** Files that no page requests by name: source maps, compressed copies, and the formats of fonts for browsers without WebAssembly. */
 const unused = /\.(map|br)$|\.(woff|ttf)$|^sw\.js$/;
@@ -34,21 +35,10 @@ export function siteFiles(folder) {
 
 /** @param source the service worker in TypeScript. */
 export function offlineSite({ source }) {
-  let folder = "";
-  let isWritten = false;
   return {
     name: "tetrafront:offline-site",
     apply: "build",
-    configResolved: ({ root, build: { outDir } }) => {
-      folder = path.resolve(root, outDir);
-    },
-    // All files are written by now, those of the public folder too.
-    writeBundle() {
-      isWritten = true;
-    },
-    async closeBundle() {
-      // A failed build has no files, and prints its own error.
-      if (!isWritten) return;
+    ...whenWritten(async (folder) => {
       const site = siteFiles(folder);
       const { outputFiles } = await build({
         entryPoints: [source],
@@ -60,6 +50,6 @@ export function offlineSite({ source }) {
         define: { SITE: JSON.stringify(site) },
       });
       writeFileSync(path.join(folder, "sw.js"), outputFiles[0].contents);
-    },
+    }),
   };
 }

@@ -25,21 +25,31 @@ async function checkedVolume(app: AppPage, task?: string): Promise<number> {
   return volume;
 }
 
+/** Makes a solid with these dimensions, in the panel of its command. */
+async function makeSolid(
+  page: Page,
+  command: string,
+  dimensions: Readonly<Record<string, string>>,
+): Promise<void> {
+  await startOperation(page, command);
+  for (const [key, text] of Object.entries(dimensions)) await page.getByTestId(`operation-${key}`).fill(text);
+  await acceptOperation(page);
+}
+
+/** Begins to subtract the second of two solids from the first one. */
+async function beginDifference(page: Page): Promise<void> {
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await startOperation(page, "Difference of two bodies");
+}
+
 sharedTest(
   "a wing is subtracted from a box: the result is said to be a body, is meshed and downloaded",
   async ({ page }) => {
     const app = await openEmpty(page);
-    await startOperation(page, "Box…");
-    for (const key of ["width", "depth", "height"]) await page.getByTestId(`operation-${key}`).fill("3");
-    await acceptOperation(page);
-    await startOperation(page, "NACA wing…");
-    await page.getByTestId("operation-chord").fill("1");
-    await page.getByTestId("operation-tipChord").fill("0.6");
-    await page.getByTestId("operation-span").fill("1.5");
-    await acceptOperation(page);
-    await page.getByTestId("viewport-canvas").focus();
-    await page.keyboard.press("Control+a");
-    await startOperation(page, "Difference of two bodies");
+    await makeSolid(page, "Box…", { width: "3", depth: "3", height: "3" });
+    await makeSolid(page, "NACA wing…", { chord: "1", tipChord: "0.6", span: "1.5" });
+    await beginDifference(page);
     await expect(page.getByTestId("operation-note")).toContainText("triangulated boundary");
     await acceptOperation(page);
     await expect(app.viewport).toHaveAttribute("data-patches", "0");
@@ -61,16 +71,9 @@ sharedTest(
   "a box is cut out of a box: points, lines and patches again, as one step of undo",
   async ({ page }) => {
     const app = await openEmpty(page);
-    await startOperation(page, "Box…");
-    await acceptOperation(page);
-    await startOperation(page, "Box…");
-    await page.getByTestId("operation-width").fill("1/2");
-    await page.getByTestId("operation-depth").fill("1/2");
-    await page.getByTestId("operation-height").fill("1");
-    await acceptOperation(page);
-    await page.getByTestId("viewport-canvas").focus();
-    await page.keyboard.press("Control+a");
-    await startOperation(page, "Difference of two bodies");
+    await makeSolid(page, "Box…", {});
+    await makeSolid(page, "Box…", { width: "1/2", depth: "1/2", height: "1" });
+    await beginDifference(page);
     await expect(page.getByTestId("operation-note")).toContainText("planar patches again");
     // The chosen operation has the focus, and no name of one is cut off.
     await expect(page.getByRole("radio", { name: "Difference" })).toBeFocused();

@@ -1,5 +1,5 @@
 import type { App } from "../app/app";
-import type { RunState } from "../session/run";
+import type { RunState } from "../session/run-state";
 import { paletteStrings } from "../strings";
 import type { Extra } from "./command";
 

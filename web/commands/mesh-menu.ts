@@ -1,6 +1,6 @@
 import type { App } from "../app/app";
 import { scaleSizes } from "../document/size-edits";
-import { canImprove } from "../session/run";
+import { canImprove } from "../session/run-state";
 import { commandLabels, paletteStrings } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { bodyCommands } from "./body-commands";

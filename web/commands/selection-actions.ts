@@ -7,7 +7,7 @@ import { allEntities, withParts } from "../document/select-related";
 import type { Position } from "../document/position";
 import type { Problem } from "../document/validate";
 import { showNotice, type EditedField } from "../session/shell";
-import type { RunState } from "../session/run";
+import type { RunState } from "../session/run-state";
 import { entityNouns, strings } from "../strings";
 import type { CameraPose } from "../viewer/camera";
 

@@ -3,7 +3,7 @@ import type { App } from "../app/app";
 import { adaptToField, runCycles, type CycleSettings, type Target } from "../session/adaptation";
 import { failureText } from "../session/failure-text";
 import { patchesOf, problemWith, setupIn, type ProblemSetup } from "../session/problem-setup";
-import { isStale } from "../session/run";
+import { isStale } from "../session/run-state";
 import type { FieldShapes, MeshField } from "../session/solutions";
 import { SolveError } from "../solve/problem";
 import { stepNames } from "../strings";

@@ -16,7 +16,8 @@ import type { BodyCheck, BodyCheckState } from "./body-check";
 import { derived, type Readable } from "./derived";
 import type { DocumentStore } from "./document-store";
 import type { PreviewFeed, PreviewState } from "./preview";
-import type { MeshRun, RunState } from "./run";
+import type { MeshRun } from "./run";
+import type { RunState } from "./run-state";
 
 export interface ProblemState {
   readonly problems: readonly Problem[];

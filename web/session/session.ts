@@ -17,7 +17,8 @@ import {
 import { Operations } from "./operations";
 import { PreviewFeed } from "./preview";
 import { ProblemList } from "./problems";
-import { MeshRun, regionCount } from "./run";
+import { MeshRun } from "./run";
+import { regionCount } from "./run-state";
 import { SecondOrder } from "./second-order";
 import { SizeFeed } from "./size-feed";
 import { OutdatedSolids } from "./outdated-solids";

@@ -12,7 +12,8 @@ import { derived, type Readable } from "./derived";
 import type { DocumentStore } from "./document-store";
 import { LatestTask, pause } from "./latest-task";
 import type { PreviewFeed } from "./preview";
-import { isStale, type MeshRun } from "./run";
+import type { MeshRun } from "./run";
+import { isStale } from "./run-state";
 
 /** Sizes at the positions of a surface. */
 export interface ShownSizes extends SizeSurface {

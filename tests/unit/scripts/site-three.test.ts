@@ -3,7 +3,11 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { afterAll, describe, expect, it } from "vitest";
-import { withoutUnusedManagers, withoutUnusedShaders } from "../../../scripts/lib/site-three.mjs";
+import {
+  withoutAnimation,
+  withoutUnusedManagers,
+  withoutUnusedShaders,
+} from "../../../scripts/lib/site-three.mjs";
 
 const root = path.resolve(import.meta.dirname, "../../..");
 const build = path.join(root, "node_modules/three/build");
@@ -66,8 +70,20 @@ describe("the renderer of the site", () => {
     expect([...materials].toSorted()).toEqual(["LineBasicMaterial", "MeshBasicMaterial", "ShaderMaterial"]);
   });
 
+  it("has a core without animations, and uses none", async () => {
+    const file = path.join(folder, "three.core.mjs");
+    const code = withoutAnimation(readFileSync(path.join(build, "three.core.js"), "utf8"));
+    writeFileSync(file, code);
+    const core = (await import(pathToFileURL(file).href)) as Readonly<Record<string, object>>;
+    expect(core["PropertyBinding"]).not.toHaveProperty("Composite");
+    expect(Object.getOwnPropertyNames(core["Matrix4"])).toContain("prototype");
+    for (const text of sources())
+      expect(text).not.toMatch(/\b(Animation\w+|\w*KeyframeTrack|PropertyBinding)\b.*"three"/);
+  });
+
   it("must be the version whose script is known", () => {
     expect(() => withoutUnusedManagers("new WebXRManager()")).toThrow("site-three.mjs");
+    expect(() => withoutAnimation("class PropertyBinding {}")).toThrow("site-three.mjs");
     expect(() => withoutUnusedShaders("const ShaderChunk = {};")).toThrow("site-three.mjs");
   });
 });

@@ -9,7 +9,7 @@ import {
   settledProject,
   type ProjectFile,
 } from "../../../web/session/document-store";
-import { isStale, type RunState } from "../../../web/session/run";
+import { isStale, type RunState } from "../../../web/session/run-state";
 import { cubeProject } from "../../support/projects";
 
 afterEach(() => vi.restoreAllMocks());

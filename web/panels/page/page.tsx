@@ -10,6 +10,7 @@ import { useCommandHotkeys } from "./hotkeys";
 import { fetchAhead } from "../later/later";
 import { losePalette } from "../shared/palette";
 import { SlotsContext, type Slots } from "../shared/slots";
+import { useOverlays } from "./use-overlays";
 import { useScheme } from "./use-scheme";
 import styles from "./page.module.css";
 
@@ -21,6 +22,7 @@ export function Page({ app, slots }: { readonly app: App; readonly slots: Slots 
   useHeldKeys(app);
   useScheme(app);
   useEffect(() => fetchAhead(app, slots), [app, slots]);
+  const hasOverlays = useOverlays(app);
   const dropping = useFileDrop(app);
   return (
     <AppContext value={app}>
@@ -28,7 +30,7 @@ export function Page({ app, slots }: { readonly app: App; readonly slots: Slots 
         <ProjectNames>
           <PageLayout />
           <PanelBoundary floats onFailed={losePalette}>
-            <Overlays />
+            {hasOverlays && <Overlays />}
           </PanelBoundary>
         </ProjectNames>
       </SlotsContext>

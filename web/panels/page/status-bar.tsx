@@ -7,7 +7,7 @@ import { runNamed } from "../../commands/registry";
 import { unitOf } from "../../document/length-units";
 import { roundTime } from "tetrafront/internal";
 import { savedState } from "../../session/document-store";
-import type { RunState } from "../../session/run";
+import type { RunState } from "../../session/run-state";
 import { cancelledText } from "../../session/run-log";
 import { IconButton } from "../../ui/icon-button";
 import { TextButton } from "../../ui/text-button";

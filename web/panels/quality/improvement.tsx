@@ -2,7 +2,7 @@ import { Button, Text } from "@mantine/core";
 import { IconSparkles } from "@tabler/icons-react";
 import type { MeshShapes } from "tetrafront/internal";
 import { runNamed } from "../../commands/registry";
-import { canImprove } from "../../session/run";
+import { canImprove } from "../../session/run-state";
 import { formatAngle, formatCount, formatShortShare } from "../../strings/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { TableHead } from "../../ui/table-head";

@@ -4,7 +4,7 @@ import { createStore } from "zustand/vanilla";
 import type { App } from "../../app/app";
 import type { DocumentState } from "../../session/document-store";
 import type { ProblemState } from "../../session/problems";
-import { isOfOtherBodies, isStale, type RunState } from "../../session/run";
+import { isOfOtherBodies, isStale, type RunState } from "../../session/run-state";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { ViewState } from "../../document/selection";
 import type { ShellState } from "../../session/shell";

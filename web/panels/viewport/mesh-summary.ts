@@ -1,5 +1,5 @@
 import type { Project } from "tetrafront/project";
-import type { RunState } from "../../session/run";
+import type { RunState } from "../../session/run-state";
 import { cancelledText } from "../../session/run-log";
 import type { QualitySpace } from "../../document/mesh-quality";
 import { formatCount } from "../../strings/format";

@@ -82,7 +82,6 @@ const words: Readonly<Record<string, string>> = {
   max: "maximum of",
   dots: "…",
   le: "≤",
-  prime: "prime",
 };
 /** Commands that only say how something is set. */
 const silent = /\\(?:left|right|bigl|bigr|Bigl|Bigr|q?quad|displaystyle)(?![a-z])|(?<!\\)\\[,;!: ]/gi;
