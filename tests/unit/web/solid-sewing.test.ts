@@ -75,12 +75,16 @@ const cylinder = (): Project =>
   ); // prettier-ignore
 
 test("a drawn cylinder is exact, and keeps the names of its patches", async () => {
-  const { body, features } = await sewnOf(cylinder());
+  const groups = [{ id: 1, name: "outlet", members: [{ kind: "patch" as const, id: 2 }] }];
+  const { documents, body, features } = await sewnOf({ ...cylinder(), groups });
   const { volume, area, faces } = await measuredOf(features);
   expect(volume / (12 * Math.PI)).toBeCloseTo(1, 12);
   expect(area / (20 * Math.PI)).toBeCloseTo(1, 12);
   expect(faces).toHaveLength(3);
   expect(body.patches.map(({ name }) => name).sort()).toEqual(["lid", "patch 1", "wall"]);
+  // A group of the lid still has it.
+  expect(body.patches.find(({ name }) => name === "lid")?.id).toBe(2);
+  expect(documents.project.groups).toEqual(groups);
 });
 
 test("a fillet and a hole follow, and the drawing comes back by undo", async () => {

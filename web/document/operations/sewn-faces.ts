@@ -23,7 +23,12 @@ const { refusals } = operationStrings;
 
 /** Faces of a solid that follow drawn patches, or why one has none. */
 export type FoundFaces =
-  | { readonly faces: readonly Typed<SewnFace>[]; readonly looks: readonly FaceLook[] }
+  | {
+      readonly faces: readonly Typed<SewnFace>[];
+      readonly looks: readonly FaceLook[];
+      /** The id of the patch of each face. */
+      readonly owners: readonly number[];
+    }
   | { readonly reason: string };
 
 /** Rows and columns of positions per patch, tried one after the other. */
@@ -54,6 +59,7 @@ export function plainFaces(project: Project, patches: readonly ProjectPatch[]): 
   return {
     faces: found.flatMap((one) => (one.success ? [one.profile] : [])),
     looks: patches.map((patch) => ({ name: nameOf(patch) })),
+    owners: patches.map(({ id }) => id),
   };
 }
 
@@ -95,10 +101,15 @@ function facesOn(project: Project, patches: readonly ProjectPatch[], samples: Dr
     if (typeof faces === "string" || !patch) return [];
     return faces.map((face, f) => ({
       face,
+      owner: patch.id,
       look: { name: faces.length > 1 ? `${nameOf(patch)} ${f + 1}` : nameOf(patch) },
     }));
   });
-  return { faces: all.map(({ face }) => face), looks: all.map(({ look }) => look) };
+  return {
+    faces: all.map(({ face }) => face),
+    looks: all.map(({ look }) => look),
+    owners: all.map(({ owner }) => owner),
+  };
 }
 
 /** What is drawn, positions on it, and those on the sides of curved patches. */
