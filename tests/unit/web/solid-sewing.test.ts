@@ -225,6 +225,16 @@ test("an inner sphere of Gregory patches becomes a cavity", async () => {
   expect(Math.abs(volume / meshed.report.volume - 1)).toBeLessThan(2e-3);
 });
 
+test("plane patches with rounded coordinates are sewn", async () => {
+  const { volume, failures } = await measuredOf((await sewnOf(gallery("y-pipe"))).features);
+  expect(failures).toEqual([]);
+  const drawn = { ...gallery("y-pipe"), background: { nodes: [], tetrahedra: [] } };
+  const meshed = async (size: number): Promise<number> =>
+    (await mesher.meshProject({ ...drawn, meshing: { size } })).report.volume;
+  const [coarse, fine] = [await meshed(0.2), await meshed(0.1)];
+  expect(Math.abs(volume / (fine + (fine - coarse) / 3) - 1)).toBeLessThan(2e-3);
+}, 60_000);
+
 test("the smooth intake follows Hermite lines with more positions", async () => {
   const { features, body } = await sewnOf(gallery("smooth-intake"));
   const [feature] = features;
