@@ -199,4 +199,13 @@ describe("sampleCurvature", () => {
     const broken = { ...cube, patches: [{ id: 99, type: "coons" as const, loops: [[1]] }] };
     expect((await mesher.sampleCurvature(broken)).triangles).toHaveLength(0);
   });
+
+  test("has as many rows and columns as asked for, and refuses others", async () => {
+    const top = { ...hill(0.3), patches: hill(0.3).patches.slice(-1) };
+    const { points, triangles } = await mesher.sampleCurvature(top, { cells: 5 });
+    expect(points).toHaveLength(3 * 6 * 6);
+    expect([...triangles.slice(0, 3)]).toEqual([0, 1, 6]);
+    for (const cells of [0, 2.5, 385])
+      await expect(mesher.sampleCurvature(top, { cells })).rejects.toThrow("cells");
+  });
 });

@@ -75,12 +75,16 @@ const cylinder = (): Project =>
   ); // prettier-ignore
 
 test("a drawn cylinder is exact, and keeps the names of its patches", async () => {
-  const { body, features } = await sewnOf(cylinder());
+  const groups = [{ id: 1, name: "outlet", members: [{ kind: "patch" as const, id: 2 }] }];
+  const { documents, body, features } = await sewnOf({ ...cylinder(), groups });
   const { volume, area, faces } = await measuredOf(features);
   expect(volume / (12 * Math.PI)).toBeCloseTo(1, 12);
   expect(area / (20 * Math.PI)).toBeCloseTo(1, 12);
   expect(faces).toHaveLength(3);
   expect(body.patches.map(({ name }) => name).sort()).toEqual(["lid", "patch 1", "wall"]);
+  // A group of the lid still has it.
+  expect(body.patches.find(({ name }) => name === "lid")?.id).toBe(2);
+  expect(documents.project.groups).toEqual(groups);
 });
 
 test("a fillet and a hole follow, and the drawing comes back by undo", async () => {
@@ -220,6 +224,16 @@ test("an inner sphere of Gregory patches becomes a cavity", async () => {
   const meshed = await mesher.meshProject(gallery("sphere-in-a-box"));
   expect(Math.abs(volume / meshed.report.volume - 1)).toBeLessThan(2e-3);
 });
+
+test("plane patches with rounded coordinates are sewn", async () => {
+  const { volume, failures } = await measuredOf((await sewnOf(gallery("y-pipe"))).features);
+  expect(failures).toEqual([]);
+  const drawn = { ...gallery("y-pipe"), background: { nodes: [], tetrahedra: [] } };
+  const meshed = async (size: number): Promise<number> =>
+    (await mesher.meshProject({ ...drawn, meshing: { size } })).report.volume;
+  const [coarse, fine] = [await meshed(0.2), await meshed(0.1)];
+  expect(Math.abs(volume / (fine + (fine - coarse) / 3) - 1)).toBeLessThan(2e-3);
+}, 60_000);
 
 test("the smooth intake follows Hermite lines with more positions", async () => {
   const { features, body } = await sewnOf(gallery("smooth-intake"));

@@ -127,13 +127,13 @@ export interface Subject {
   readonly selection: readonly Entity[];
 }
 
-/** Makes solids of features, which takes a moment. */
 /** Positions on what is drawn, in the order of the project. */
 export interface DrawnSamples {
   readonly lines: Pick<ProjectPreview, "linePoints" | "lineOffsets">;
   readonly patches: Pick<CurvatureSamples, "points" | "triangles" | "patchOffsets">;
 }
 
+/** Makes solids of features, which takes a moment. */
 export interface SolidMaker {
   /**
    * Returns the body of features, with those that fail: a given one, changed, or a new one. Rejects with a sentence if nothing is

@@ -12,9 +12,20 @@ import { defaultName, operationStrings } from "../../strings";
 import { arcThrough, circleThrough, type CircularArc } from "../arcs";
 import { findRecord } from "../entities";
 import { linePositions } from "../line-samples";
-import { liesInPlane } from "../patch-rules";
 import type { Position } from "../position";
-import { add, boxOf, cross, distance, dot, length, scale, subtract } from "../vectors";
+import {
+  add,
+  addScaled,
+  areaVector,
+  boxOf,
+  cross,
+  distance,
+  dot,
+  length,
+  scale,
+  subtract,
+  unit,
+} from "../vectors";
 import { plain, type Typed } from "./feature-numbers";
 import type { DrawnSamples, SolidMaker } from "./operation";
 import { drawnCurves, profileWithin } from "./solid-profiles";
@@ -23,13 +34,20 @@ const { refusals } = operationStrings;
 
 /** Faces of a solid that follow drawn patches, or why one has none. */
 export type FoundFaces =
-  | { readonly faces: readonly Typed<SewnFace>[]; readonly looks: readonly FaceLook[] }
+  | {
+      readonly faces: readonly Typed<SewnFace>[];
+      readonly looks: readonly FaceLook[];
+      /** The id of the patch of each face. */
+      readonly owners: readonly number[];
+    }
   | { readonly reason: string };
 
 /** Rows and columns of positions per patch, tried one after the other. */
 const refinements = [24, 48, 96];
 /** A face through positions is near its patch at this distance, as a part of the size of all; the kernel refuses the double. */
 const near = 5e-5;
+/** Lines of a plane patch may be this far from its plane, as a part of their size: half of what the kernel joins. */
+const flat = 5e-6;
 /** Lengths and angles that differ by less, as a part of the radius, are the same. */
 const same = 1e-9;
 
@@ -54,6 +72,7 @@ export function plainFaces(project: Project, patches: readonly ProjectPatch[]): 
   return {
     faces: found.flatMap((one) => (one.success ? [one.profile] : [])),
     looks: patches.map((patch) => ({ name: nameOf(patch) })),
+    owners: patches.map(({ id }) => id),
   };
 }
 
@@ -95,10 +114,15 @@ function facesOn(project: Project, patches: readonly ProjectPatch[], samples: Dr
     if (typeof faces === "string" || !patch) return [];
     return faces.map((face, f) => ({
       face,
+      owner: patch.id,
       look: { name: faces.length > 1 ? `${nameOf(patch)} ${f + 1}` : nameOf(patch) },
     }));
   });
-  return { faces: all.map(({ face }) => face), looks: all.map(({ look }) => look) };
+  return {
+    faces: all.map(({ face }) => face),
+    looks: all.map(({ look }) => look),
+    owners: all.map(({ owner }) => owner),
+  };
 }
 
 /** What is drawn, positions on it, and those on the sides of curved patches. */
@@ -120,12 +144,30 @@ function facesOf(drawn: Drawn, patch: ProjectPatch): readonly SewnFace[] | strin
 }
 
 function planeFace(drawn: Drawn, patch: ProjectPatch): readonly SewnFace[] | string {
-  if (!liesInPlane(drawn.project, patch.loops)) return refusals.notInPlane(nameOf(patch));
-  const loops = patch.loops.map((loop) => loop.flatMap((step) => sampledCurve(drawn, step) ?? []));
+  const given = patch.loops.map((loop) => loop.flatMap((step) => sampledCurve(drawn, step) ?? []));
+  const loops = flattened(given);
+  if (!loops) return refusals.notInPlane(nameOf(patch));
   const [outer, ...holes] = loops;
   if (!outer || loops.some((loop, l) => loop.length !== patch.loops[l]?.length))
     return refusals.notEvaluated(nameOf(patch));
   return [{ outer, ...(holes.length > 0 && { holes }) }];
+}
+
+/** Returns loops moved into their plane: coordinates may be rounded. Null if they are farther from it than edges are joined. */
+function flattened(loops: readonly (readonly LoopCurve[])[]): readonly (readonly LoopCurve[])[] | null {
+  const positionsOf = (loop: readonly LoopCurve[]): readonly Position[] =>
+    loop.flatMap((curve): readonly Position[] => ("points" in curve ? curve.points : []));
+  const positions = loops.flatMap(positionsOf);
+  const [origin] = positions;
+  const normal = unit(areaVector(positionsOf(loops[0] ?? [])));
+  if (!origin || !normal) return loops;
+  const heightOf = (position: Position): number => dot(subtract(position, origin), normal);
+  const size = Math.max(...positions.map((position) => distance(position, origin)));
+  if (positions.some((position) => Math.abs(heightOf(position)) > flat * size)) return null;
+  const moved = (position: Position): Position => addScaled(position, normal, -heightOf(position));
+  const movedCurve = (curve: LoopCurve): LoopCurve =>
+    "points" in curve ? ({ ...curve, points: curve.points.map(moved) } as unknown as LoopCurve) : curve;
+  return loops.map((loop) => loop.map(movedCurve));
 }
 
 /** Returns a line as a curve of the kernel, other than arcs as a spline through samples; null if it cannot be evaluated. */

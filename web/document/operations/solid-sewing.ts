@@ -41,10 +41,13 @@ export const sew: Operation<Values> = {
     const found = isPlain ? plainFaces(project, patches) : await sampledFaces(project, patches, solids);
     if ("reason" in found) return { possible: false, reason: found.reason } satisfies Offer;
     const addition = { subject, solids, noun: texts.sewn.noun, use: values.makes };
-    const made = await addedPiece(addition, { type: "sew", ...found });
+    const { faces, looks, owners } = found;
+    const made = await addedPiece(addition, { type: "sew", faces, looks });
     const offer = isPlain ? made : noted(made, texts.keptShape);
+    if (values.keepProfile) return offer;
     const drawn = patches.map(({ id }): Entity => ({ kind: "patch", id }));
-    return values.keepProfile ? offer : withoutProfile(project, drawn, offer);
+    const alone = withoutProfile(project, drawn, offer);
+    return values.makes === "new" ? withPatchIds(alone, owners) : alone;
   },
 };
 
@@ -70,6 +73,27 @@ function lineOfThree(patches: readonly ProjectPatch[]): number | undefined {
 
 const lineName = (project: Project, id: number): string =>
   entityName(project, { kind: "line", id }) ?? defaultName("line", id);
+
+/**
+ * Gives the faces of the new solid, which is the last body, the ids of the patches that they replace, so that groups, conditions and layers
+ * stay. Of several faces of one patch, the first has its id.
+ */
+function withPatchIds(offer: Offer, owners: readonly number[]): Offer {
+  if (!offer.possible) return offer;
+  const { creation } = offer;
+  const { edit } = creation;
+  if (!("replace" in edit)) return offer;
+  const { bodies = [] } = edit.replace;
+  const body = bodies.at(-1);
+  if (!body) return offer;
+  const patches = body.patches.map((patch) => {
+    const face = Number(/^1\/face (\d+)$/.exec(patch.origin ?? "")?.[1]) - 1;
+    const id = owners[face];
+    return id !== undefined && owners.indexOf(id) === face ? { ...patch, id } : patch;
+  });
+  const replace = { ...edit.replace, bodies: [...bodies.slice(0, -1), { ...body, patches }] };
+  return { ...offer, creation: { ...creation, edit: { ...edit, replace } } };
+}
 
 /** Returns an offer with a further note. */
 const noted = (offer: Offer, note: string): Offer =>
