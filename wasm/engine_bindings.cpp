@@ -1,8 +1,7 @@
-/// @file Binds what a first mesh needs, for the module "engine": the preview of a model, the check of what a run is given, the runs,
-/// which fill models and surfaces, and the improvement of meshes, which has their code.
+/// @file Binds what a first mesh needs, for the module "engine": the preview of a model, the check of what a run is given, and the
+/// runs, which fill models and surfaces.
 
 #include "run_bindings.h"
-#include "tetrafront/mesh_improvement.h"
 #include "tetrafront/preview.h"
 #include "tetrafront/run_check.h"
 #include "tetrafront/tile_host.h"
@@ -60,10 +59,8 @@ EMSCRIPTEN_BINDINGS(engine) {
   emscripten::function("tileOptimizer", &makeTool<TileOptimizer, Bytes>,
                        emscripten::allow_raw_pointers());
   registerTypes<Bytes, TileMesh, LentTile>();
-  registerTypes<bool, ImproveOptions, MeshImprovement, ModelPreview, RunCheck>();
+  registerTypes<bool, ModelPreview, RunCheck>();
   registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions, bool>("Preview", "previewModel");
-  registerTool<MeshImprover, Doubles, Indices, Indices, Indices, ImproveOptions>("Improvement",
-                                                                                 "improveMesh");
   registerTool<RunChecker, Model, BodySurfaces, BackgroundGrid, MeshOptions>("RunCheck",
                                                                              "checkRun");
 }

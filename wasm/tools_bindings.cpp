@@ -5,6 +5,7 @@
 #include "tetrafront/curvature_samples.h"
 #include "tetrafront/grid_from_mesh.h"
 #include "tetrafront/mesh_adaptation.h"
+#include "tetrafront/mesh_improvement.h"
 #include "tetrafront/mesh_inspection.h"
 #include "tetrafront/node_placement.h"
 #include "tetrafront/region_location.h"
@@ -55,6 +56,9 @@ EMSCRIPTEN_BINDINGS(tools) {
       "Placement", "placeNodes");
   registerTool<SecondOrderBuilder, Doubles, Indices, Indices, Indices, Doubles>("SecondOrder",
                                                                                 "curveEdges");
+  registerTypes<ImproveOptions, MeshImprovement>();
+  registerTool<MeshImprover, Doubles, Indices, Indices, Indices, ImproveOptions>("Improvement",
+                                                                                 "improveMesh");
   registerTypes<AdaptInput, MetricMesh, AdaptOptions, MeshAdaptation>();
   registerTool<MeshAdapter, AdaptInput, MetricMesh, AdaptOptions>("Adaptation", "adaptMesh");
   registerTypes<std::vector<PatchLayers>, LayerOptions, LayeredMesh>();

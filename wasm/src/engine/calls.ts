@@ -26,7 +26,7 @@ export const CALLS = {
   sizeFromSolution: { module: "tools" },
   frontSizesOf: { module: "tools" },
   transferSolution: { module: "tools" },
-  improveMesh: { module: "engine" },
+  improveMesh: { module: "tools" },
   adaptMesh: { module: "tools" },
   addLayers: { module: "tools" },
   checkRun: { module: "engine" },

@@ -24,8 +24,8 @@ export type EngineRefinement = ResultOf<"refineSurface">;
 export type EnginePatchSplit = ResultOf<"splitPatches">;
 export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
-export type EngineImprovement = EngineResultOf<"improveMesh">;
-export type EngineImproveOptions = Readonly<Parameters<Engine["improveMesh"]>[4]>;
+export type EngineImprovement = ResultOf<"improveMesh">;
+export type EngineImproveOptions = Readonly<Parameters<Tools["improveMesh"]>[4]>;
 export type EnginePreview = EngineResultOf<"previewModel">;
 export type EngineLocation = ResultOf<"locateRegions">;
 
