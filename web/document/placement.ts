@@ -65,6 +65,17 @@ export function turnOf([x, y, z, w]: Quaternion):
   return sine === 0 ? undefined : { axis: [x, y, z], angle: (2 * Math.atan2(sine, w)) / degree };
 }
 
+/** Returns the rotation about an axis, not zero, by an angle in degrees. */
+export function turned(axis: Position, angle: number): Quaternion {
+  const half = (angle * degree) / 2;
+  const [x, y, z] = axis.map((part) => (part * Math.sin(half)) / Math.hypot(...axis)) as [
+    number,
+    number,
+    number,
+  ];
+  return [x, y, z, Math.cos(half)];
+}
+
 /** Returns the rotation about x, then y, then z, by angles in degrees. */
 export function rotationOf(angles: Position): Quaternion {
   const [sx, sy, sz] = angles.map((angle) => Math.sin((angle * degree) / 2)) as [number, number, number];

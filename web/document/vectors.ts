@@ -90,6 +90,13 @@ export function frameAlong(direction: Position, origin: Position = zero): Frame 
   return { origin, x, y: cross(z, x), z };
 }
 
+/** Returns the frame along a direction whose x axis is the part of another direction across it. */
+export function frameTowards(direction: Position, towards: Position): Frame {
+  const along = frameAlong(direction);
+  const x = unit(addScaled(towards, along.z, -dot(towards, along.z))) ?? along.x;
+  return { ...along, x, y: cross(along.z, x) };
+}
+
 /**
  * Returns a direction orthogonal to another one: the given one if it is up to rounding, else its part across, else any. The given
  * one without another one.

@@ -1,8 +1,10 @@
 import { noSolids } from "../../support/no-solids";
 import { describe, expect, it } from "vitest";
+import type { SolidFeature } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { pieceOperations } from "../../../web/document/operations/pieces";
 import type { FieldValues, Operation } from "../../../web/document/operations/operation";
+import type { Solid } from "../../../web/document/operations/solids";
 import { ViewStore } from "../../../web/document/selection";
 import { addScaled, distance, dot } from "../../../web/document/vectors";
 import { onLine } from "../../../web/document/work-plane";
@@ -61,6 +63,61 @@ describe("the handles of a solid piece", () => {
     expect(valuesNow()["width"]).toBe(2.75);
     drag?.moveTo([-5, 0, 0.5], 0.25);
     expect(valuesNow()["width"]).toBe(2.75);
+  });
+});
+
+describe("the handles of a feature of a solid", () => {
+  const box: SolidFeature = {
+    id: 1,
+    type: "box",
+    operation: "new",
+    position: [1, 0, 0],
+    axis: [0, 0, 1],
+    x: [0, 1, 0],
+    size: [2, 3, 4],
+  };
+  const turn = { position: [0, 1, 0], axis: [0, 0, 1], angle: 90 } as const;
+  const move: SolidFeature = { id: 2, type: "move", translation: [0, 0, 5], rotation: turn };
+  const mirror: SolidFeature = { id: 3, type: "mirror", position: [0, 0, 1], normal: [0, 0, 1] };
+  const placement = { position: [10, 0, 0], rotation: [Math.SQRT1_2, 0, 0, Math.SQRT1_2], scale: 2 } as const;
+
+  function gripsOf(features: readonly SolidFeature[], placed: Pick<Solid, "placement"> = {}) {
+    const solid: Solid = {
+      id: 1,
+      points: "",
+      triangles: "",
+      patches: [],
+      features: [box, ...features],
+      ...placed,
+    };
+    const edit = pieceOperations.find(({ id }) => id === "create-box")?.edit(solid, box);
+    if (!edit) throw new Error("the box cannot be edited");
+    return opened(edit);
+  }
+
+  it.each([
+    // The x axis of the box is y, so that half of its width leads there from the position.
+    ["alone", [], {}, [1, 1, 2], 1],
+    ["turned about (0, 1), and moved", [move], {}, [0, 2, 7], 1],
+    ["moved and mirrored", [move, mirror], {}, [0, 2, -5], 1],
+    ["not moved by a feature that is off", [{ ...move, isOff: true }], {}, [1, 1, 2], 1],
+    ["not moved from the original", [{ ...mirror, keepOriginal: true }], {}, [1, 1, 2], 1],
+    // Twice as large, turned from y to z, and moved along x.
+    ["placed", [], { placement }, [12, -4, 2], 2],
+  ] as const)("are where it is, and follow the pointer: %s", (_, features, placed, width, size) => {
+    const { grips, valuesNow } = gripsOf(features, placed);
+    expect(distance(grips()?.grips[0]?.position ?? [9, 9, 9], width)).toBeLessThan(1e-9);
+    const count = grips()?.grips.length ?? 0;
+    for (let index = 0; index < count; ++index) {
+      const grip = grips()?.grips[index];
+      if (!grip) throw new Error("there is no grip");
+      const step = typeof grip.moves === "object" ? grip.moves : ([1, 0, 0] as const);
+      const to = addScaled(grip.position, step, 0.25);
+      grips()?.begin(index)?.moveTo(to, 0);
+      expect(distance(grips()?.grips[index]?.position ?? [9, 9, 9], to)).toBeLessThan(1e-9);
+    }
+    // Its handle moves by half of what the width grows.
+    expect(valuesNow()["width"]).toBeCloseTo(2 + (2 * 0.25) / size, 9);
   });
 });
 

@@ -118,6 +118,8 @@ export interface OperationHandle {
   readonly along: Position | null;
   /** Change of the number for a unit of length along the direction. */
   readonly rate: number;
+  /** Returns the value of a position in the view. Default: the position itself. */
+  readonly valueAt?: (position: Position) => Position;
 }
 
 /** What the values of an operation apply to. */

@@ -17,7 +17,17 @@ import {
   type QuantityPosition,
 } from "../quantity-positions";
 import { placedIn, type Shape } from "../shape";
-import { addScaled, dot, frameAlong, fromFrame, subtract, unit, zero, type Frame } from "../vectors";
+import {
+  addScaled,
+  dot,
+  frameAlong,
+  frameTowards,
+  fromFrame,
+  subtract,
+  unit,
+  zero,
+  type Frame,
+} from "../vectors";
 import { typed, type Typed } from "./feature-numbers";
 import {
   typedPosition,
@@ -103,6 +113,9 @@ export function pieceOperation<Sizes extends FieldValues>(
       const { position, axis } = given;
       const rest = { anchor: "base", join: false, share: false, makes: feature.operation } as const;
       const isFirst = solid.features[0]?.id === feature.id;
+      /** The direction that a field does not show; of the place that the axis gives, if it was changed. */
+      const xOf = (changed: Position): Position | undefined =>
+        "x" in feature && changed.every((part, k) => part === feature.axis[k]) ? feature.x : undefined;
       return editOf<Sizes & PiecePlacement>({
         operation: {
           ...operation,
@@ -111,6 +124,7 @@ export function pieceOperation<Sizes extends FieldValues>(
             // The first feature of a solid has nothing to be combined with.
             return isFirst ? all.filter(({ key }) => key !== "makes") : all.map(withoutPatches);
           },
+          handles: (values) => handlesOf(kind, values, xOf(values.axis)),
           make: (_subject, values) => ({ possible: false, reason: refusalOf(kind, values) ?? "" }),
         },
         noun,
@@ -120,8 +134,7 @@ export function pieceOperation<Sizes extends FieldValues>(
         made: (values, changed) => {
           if (values.makes === "patches" || refusalOf(kind, values) !== null) return null;
           const place = placeOf(kind, values, changed);
-          const isSameAxis = values.axis.every((part, k) => part === feature.axis[k]);
-          const x = isSameAxis && "x" in feature ? feature.x : place.x;
+          const x = xOf(values.axis) ?? place.x;
           return { ...form.make(sizesOf(values, changed), { ...place, x }), operation: values.makes };
         },
       });
@@ -233,9 +246,13 @@ function insertPiece<Sizes extends FieldValues>(
 }
 
 /** Returns the place of a piece: its axis is z, and its base at the origin. */
-function frameOf<Sizes extends FieldValues>(kind: PieceKind<Sizes>, values: Sizes & PiecePlacement): Frame {
+function frameOf<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+  x?: Position,
+): Frame {
   const { position, axis, anchor } = values;
-  const along = frameAlong(axis);
+  const along = x ? frameTowards(axis, x) : frameAlong(axis);
   const lift = anchor === "centre" ? -valueOf(kind.middle(sizesOf(values))) : 0;
   return { ...along, origin: addScaled(position, along.z, lift) };
 }
@@ -244,21 +261,26 @@ function frameOf<Sizes extends FieldValues>(kind: PieceKind<Sizes>, values: Size
 function handlesOf<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
   values: Sizes & PiecePlacement,
+  x?: Position,
 ): OperationHandle[] {
   if (unit(values.axis) === null) return [];
   const { position } = values;
-  const placed = placedHandles(kind, values);
+  const placed = placedHandles(kind, values, x);
   const lengths = placed.map(({ key, along, ...at }, index) => {
     // Of a piece that grows to both sides, a length grows by more than its handle moves.
     const longer = { ...values, [key]: Number(values[key]) + 1 };
-    const moved = placedHandles(kind, longer)[index]?.position ?? at.position;
+    const moved = placedHandles(kind, longer, x)[index]?.position ?? at.position;
     return { key, along, ...at, rate: 1 / dot(subtract(moved, at.position), along) };
   });
   return [...lengths, { key: "position", position, from: position, along: null, rate: 1 }];
 }
 
-function placedHandles<Sizes extends FieldValues>(kind: PieceKind<Sizes>, values: Sizes & PiecePlacement) {
-  const frame = frameOf(kind, values);
+function placedHandles<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+  x: Position | undefined,
+) {
+  const frame = frameOf(kind, values, x);
   return kind.handles(values).map(({ key, from, along, share = 1 }) => ({
     key,
     from: fromFrame(frame, from),

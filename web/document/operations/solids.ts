@@ -10,6 +10,7 @@ import type { Position } from "../position";
 import type { QuantityPosition } from "../quantity-positions";
 import { zero } from "../vectors";
 import { featureLabel } from "./feature-names";
+import { handlesInView } from "./feature-view";
 import { expressionsIn, plain, withFeatureExpressions, type Typed } from "./feature-numbers";
 import type { FieldExpressions, FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
 
@@ -236,6 +237,7 @@ export function editOf<Values extends FieldValues>({
     initial: () => plain<Values>(values),
     expressions: () => expressionsIn(values),
     note: () => "",
+    handles: (changed) => handlesInView(operation.handles?.(changed) ?? [], solid, feature),
     makeLater: (subject, changed, solids, expressions = {}) => {
       const given = made(changed, expressions, subject, solids);
       if (!given) return null;

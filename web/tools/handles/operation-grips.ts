@@ -37,7 +37,7 @@ export function operationGrips(operations: Operations, pixel: number): Grips | n
           const value =
             typeof before === "number"
               ? lengthAt(handle, before, subtract(to, position), step)
-              : onGrid(to, position, step);
+              : positionAt(handle, onGrid(to, position, step));
           if (isValid(open, handle, value)) operations.set(handle.key, value);
         },
         commit: () => undefined,
@@ -63,6 +63,9 @@ function lengthAt({ along, rate }: OperationHandle, before: number, moved: Posit
   const value = before + rate * dot(moved, along ?? moved);
   return step > 0 ? roundTo(value, step) : value;
 }
+
+const positionAt = ({ valueAt }: OperationHandle, position: Position): Position =>
+  valueAt?.(position) ?? position;
 
 /** Returns whether the field of a handle takes a value. Otherwise, the value before is kept. */
 function isValid(
