@@ -8,7 +8,7 @@ import type { Triangle } from "../../../web/teach/player/crossing";
 import { frontDrawing } from "../../../web/teach/player/front-drawing";
 import { cornersOf, weightsOf, type NewElement } from "../../../web/teach/player/judge";
 import { examine } from "../../../web/teach/player/lens";
-import { lensMarks } from "../../../web/teach/player/lens-marks";
+import { legendOf, lensMarks } from "../../../web/teach/player/lens-marks";
 import { lensSceneOf, type LensScene } from "../../../web/teach/player/lens-scene";
 import { supposedFrontText } from "../../../web/teach/panels/player/supposed-front";
 import { initialPlayerState, type PlayerState } from "../../../web/teach/player/player";
@@ -126,6 +126,22 @@ describe("the marks of a step", () => {
     expect(marks.isAccepted).toBe(false);
     expect(marks.ideal).toEqual([step.idealPoint]);
     expect(marks.others).toHaveLength(step.candidates.length - 1);
+  });
+
+  it("are in the legend as far as the beat shows them", () => {
+    const [step, candidate] = stepWith("crosses");
+    const kindsAt = (change: Partial<PlayerState>): string[] => {
+      const scene = lensSceneOf(stateAt(step.step, { candidate, ...change }));
+      return scene ? Object.keys(legendOf(lensMarks(scene))) : [];
+    };
+    const beats = [1, 2, 3, 4].map((beat) => kindsAt({ film: true, beat }));
+    expect(beats).toEqual([
+      ["base"],
+      ["base", "ideal"],
+      ["base", "ideal", "candidate"],
+      ["base", "ideal", "candidate", "failing"],
+    ]);
+    expect(kindsAt({ film: false })).toEqual(beats[3]);
   });
 
   it("of an accepted candidate show the element, and nothing that fails", () => {

@@ -304,6 +304,23 @@ export const drawnMarks: readonly DrawnMark[] = [
   { form: "dots", of: ({ crossing }) => crossing, color: "failing", size: 14 },
 ];
 
+/** The colour of the marks that each line of the legend is about. */
+const legendColors = {
+  base: "selection",
+  ideal: "source",
+  candidate: "point",
+  failing: "failing",
+} as const satisfies Record<MarkKind, DrawnMark["color"]>;
+
+/** Returns the lines of the legend whose marks are drawn, by their kind. */
+export function legendOf(marks: LensMarks): Readonly<Partial<Record<MarkKind, string>>> {
+  const drawn = new Set(drawnMarks.filter(({ of }) => of(marks).length > 0).map(({ color }) => color));
+  const kinds = (["base", "ideal", "candidate", "failing"] as const).filter((kind) =>
+    drawn.has(legendColors[kind]),
+  );
+  return Object.fromEntries(kinds.map((kind) => [kind, texts.legend[kind]]));
+}
+
 /** The edges of triangles, two ends each. */
 export const edgesOf = (corners: readonly Position[]): readonly Position[] =>
   corners.flatMap((corner, i) => [corner, corners[i % 3 === 2 ? i - 2 : i + 1] ?? corner]);

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { beatAt, isFleeting } from "../../player/film-state";
-import { lensMarks, type LensLabel } from "../../player/lens-marks";
+import { legendOf, lensMarks, type LensLabel } from "../../player/lens-marks";
 import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
 import { recoveryLegendOf, recoveryMarksOf } from "../../player/recovery-marks";
@@ -19,10 +19,8 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
   const scene = usePlayer(lensSceneOf);
   const recovered = usePlayer(recoveryMarksOf);
   const surface = useSurfaceLabels();
-  const labels = useMemo(
-    () => (scene ? lensMarks(scene).labels : (recovered?.labels ?? surface)),
-    [scene, recovered, surface],
-  );
+  const marks = useMemo(() => scene && lensMarks(scene), [scene]);
+  const labels = marks?.labels ?? recovered?.labels ?? surface;
   const box = useRef<HTMLDivElement>(null);
   const lines = useRef<SVGSVGElement>(null);
   useLayoutEffect(() => {
@@ -75,7 +73,7 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
           ))}
         </div>
       </div>
-      {scene && <MarkLegend names={playerStrings.marks.legend} />}
+      {marks && <MarkLegend names={legendOf(marks)} />}
       {recovered && <MarkLegend names={recoveryLegendOf(recovered)} />}
     </>
   );
