@@ -213,7 +213,7 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   previewProject: { project, options: { size: 1, innerShells: "cavities" }, control },
   coverProject: { project, options: { size: 1, shape: "box" }, control },
   proposeSizes: { project, options: { minSize: 0.5 }, control },
-  sampleCurvature: { project, control },
+  sampleCurvature: { project, options: { cells: 3 }, control },
   sampleSizes: {
     project: { ...project, bodies: [body] },
     positions: new Float64Array(6),
@@ -385,6 +385,9 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 const TESTED_ELSEWHERE = [
   // Their callers have checked what they pass.
   "correctedNumber",
+  "base64Of",
+  "deviationOf",
+  "rowsOf",
   "bodyBox",
   "estimatedErrors",
   "featureSolid",
