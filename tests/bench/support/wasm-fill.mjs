@@ -65,6 +65,7 @@ function fill(engine, surface, optimization, interior) {
     tetrahedra: new Uint32Array(0),
     sources: { type: new Uint8Array(0), points: none, size: none, distance: none, growth: none },
     coverageMargin: 0,
+    secondStretchings: { stretching: none, direction: none },
   };
   const options = { ...MESH_DEFAULTS, order: 0, innerShells: 0, optimization, interior };
   const regions = { triangleRegions: new Uint32Array(0), maxVolumes: none };
