@@ -1,9 +1,10 @@
-import type { BodyPlacement, SolidFeature } from "tetrafront/project";
+import type { BodyPlacement, ProjectBody, SolidFeature } from "tetrafront/project";
 import { carried, noRotation, placed, turned } from "../placement";
 import type { Position } from "../position";
 import { add, addScaled, dot, length, scale, subtract, unit } from "../vectors";
 import type { OperationHandle } from "./operation";
-import type { Solid } from "./solids";
+
+type Solid = Pick<ProjectBody, "placement"> & { readonly features: readonly SolidFeature[] };
 
 /** Where the coordinates of a feature are in the view. */
 interface FeatureView {
