@@ -65,15 +65,13 @@ export function turnOf([x, y, z, w]: Quaternion):
   return sine === 0 ? undefined : { axis: [x, y, z], angle: (2 * Math.atan2(sine, w)) / degree };
 }
 
-/** Returns the rotation about an axis, not zero, by an angle in degrees. */
+/** Returns the rotation about an axis by an angle in degrees; none about 0 0 0. */
 export function turned(axis: Position, angle: number): Quaternion {
   const half = (angle * degree) / 2;
-  const [x, y, z] = axis.map((part) => (part * Math.sin(half)) / Math.hypot(...axis)) as [
-    number,
-    number,
-    number,
-  ];
-  return [x, y, z, Math.cos(half)];
+  const sine = Math.sin(half) / Math.hypot(...axis);
+  return Number.isFinite(sine)
+    ? [axis[0] * sine, axis[1] * sine, axis[2] * sine, Math.cos(half)]
+    : noRotation;
 }
 
 /** Returns the rotation about x, then y, then z, by angles in degrees. */

@@ -240,7 +240,7 @@ export const operationStrings = {
     threePatches: (line: string) =>
       `More than two patches meet at ${line}. A solid has no patches inside: delete those, then sew.`,
     keptShape:
-      "Curved patches are kept as they are drawn now: parameters of their points do not change the solid.",
+      "The patches of this solid are kept as they are drawn now: parameters of their points do not change it.",
     drilled: { noun: "hole", title: "Hole" },
     moved: { noun: "move", title: "Move of a solid" },
     translation: "Move by",

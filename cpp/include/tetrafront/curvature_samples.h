@@ -31,8 +31,8 @@ struct CurvatureSamples {
 /// patch by default; in patches with holes, of each vertex of their triangles too.
 class CurvatureSampler : public SlicedTool<CurvatureSamples> {
  public:
-  /// `cells`: rows and columns of a curved patch without holes, of which a tube has several lattices: a whole number
-  /// from 1 to kMaxShadedCells.
+  /// `cells`: number of rows and columns of a curved patch without holes, a whole number from 1 to kMaxShadedCells. A tube has
+  /// several such lattices.
   explicit CurvatureSampler(Model model, double cells = kShadedCells);
 };
 

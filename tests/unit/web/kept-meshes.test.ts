@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import { KeptMeshes } from "../../../web/session/kept-meshes";
 import type { ShownMesh } from "../../../web/session/shown-mesh";
 
-/** A mesh of which only matters whether a run has made it. */
+/** A mesh for tests that only ask whether a run has made it. */
 const shown = (isValid: boolean | null): ShownMesh =>
   ({ edgeReference: "mean", origin: null, improvement: null, isValid }) as unknown as ShownMesh;
 const byRun = shown(null);

@@ -4,6 +4,7 @@ import { createMesher, type Mesher } from "tetrafront";
 import { readProject, type Project, type SolidFeature } from "tetrafront/project";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { emptyProject } from "../../../web/document/create";
+import type { Entity } from "../../../web/document/entities";
 import { DocumentStore } from "../../../web/session/document-store";
 import { sew } from "../../../web/document/operations/solid-sewing";
 import { measured } from "../../support/features";
@@ -33,8 +34,8 @@ const drawing = (
 
 const straight = (from: number, to: number): Line => ({ type: "straight", points: [from, to] });
 
-async function sewnOf(project: Project) {
-  const subject = { project, selection: [] };
+async function sewnOf(project: Project, selection: readonly Entity[] = []) {
+  const subject = { project, selection };
   const offer = await sew.makeLater?.(subject, sew.initial(subject), solids());
   if (offer?.possible !== true) throw new Error(offer?.reason);
   const documents = new DocumentStore(project);
@@ -169,6 +170,90 @@ test("a box with a bulged patch has the volume of the integral, and takes a Bool
   expect(half.volume).toBeCloseTo((1 + (4 * h) / 3) / 2, 7);
 });
 
+/** A tube between two closed splines, each through four points of a circle of radius 1, with lids: not a circle. */
+const splineTube = (): Project => {
+  const rim = (z: number): Position[] => [[1, 0, z], [0, 1, z], [-1, 0, z], [0, -1, z]]; // prettier-ignore
+  return drawing(
+    [...rim(0), ...rim(2)],
+    [
+      { type: "spline", points: [1, 2, 3, 4, 1] },
+      { type: "spline", points: [5, 6, 7, 8, 5] },
+    ],
+    [
+      { type: "planar", loops: [[1]], name: "floor" },
+      { type: "planar", loops: [[2]], name: "roof" },
+      { type: "tube", loops: [[1], [2]], name: "wall" },
+    ],
+  );
+};
+
+test("all faces of a tube have the conditions and groups of their patch", async () => {
+  const project = {
+    ...splineTube(),
+    groups: [{ id: 1, name: "skin", members: [{ kind: "patch" as const, id: 3 }] }],
+    problem: { kind: "heat" as const, conditions: [{ patch: 3, kind: "value" as const, value: 20 }] },
+  };
+  const { documents, body, features } = await sewnOf(project);
+  const { volume, failures } = await measuredOf(features);
+  expect(failures).toEqual([]);
+  const walls = body.patches.flatMap(({ id, name }) => (name?.startsWith("wall") === true ? [id] : []));
+  expect(walls.length).toBeGreaterThan(1);
+  const { groups, problem } = documents.project;
+  expect(groups?.[0]?.members.map(({ id }) => id).sort()).toEqual(walls.toSorted());
+  expect(problem?.conditions.map(({ patch }) => patch).sort()).toEqual(walls.toSorted());
+  expect(problem?.conditions.every(({ value }) => value === 20)).toBe(true);
+  const meshed = await mesher.meshProject({ ...splineTube(), meshing: { size: 0.1 } });
+  expect(Math.abs(volume / meshed.report.volume - 1)).toBeLessThan(5e-3);
+});
+
+/** A slab of 2 x 2 whose top is a loft through a bulged section; the sides below its splines are plane. */
+const lofted = (): Project =>
+  drawing(
+    [
+      [0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0],
+      [0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1],
+      [1, 0, 1.3], [1, 2, 1.2], [0, 1, 1], [2, 1, 1], [1, 1, 1.6],
+    ],
+    [
+      straight(1, 2), straight(2, 3), straight(3, 4), straight(4, 1),
+      straight(1, 5), straight(2, 6), straight(3, 7), straight(4, 8),
+      { type: "spline", points: [5, 9, 6] }, { type: "spline", points: [6, 12, 7] },
+      { type: "spline", points: [7, 10, 8] }, { type: "spline", points: [8, 11, 5] },
+      { type: "spline", points: [11, 13, 12] },
+    ],
+    [
+      { type: "planar", loops: [[1, 2, 3, 4]] },
+      ...[0, 1, 2, 3].map((k) => ({ type: "planar" as const, loops: [[k + 1, 6 + k - (k === 3 ? 4 : 0), -(9 + k), -(5 + k)]] })),
+      { type: "loft", loops: [[9, 10, 11, 12], [13]], name: "roof" },
+    ],
+  ); // prettier-ignore
+
+test("plane patches have the curves of a loft with sections", async () => {
+  const { volume, failures } = await measuredOf((await sewnOf(lofted())).features);
+  expect(failures).toEqual([]);
+  const meshed = await mesher.meshProject({ ...lofted(), meshing: { size: 0.1 } });
+  expect(Math.abs(volume / meshed.report.volume - 1)).toBeLessThan(2e-3);
+});
+
+test("rounded coordinates of plane patches are sewn beside exact ones, and alone", async () => {
+  const rounding = (project: Project): Project => ({
+    ...project,
+    points: project.points.map(({ id, position: [x, y, z] }, p) => ({
+      id,
+      position: [x, y, z + 1e-6 * ((p % 3) - 1)] as const,
+    })),
+  });
+  const arcs = await measuredOf((await sewnOf(rounding(quarter()))).features);
+  expect(arcs.failures).toEqual([]);
+  expect(arcs.volume).toBeCloseTo(Math.PI / 2, 4);
+  const { patches, lines, ...rest } = vault(0);
+  // Straight lines instead of parabolas: a box.
+  const box = { ...rest, lines: lines.map((line) => ({ ...line, type: "straight" as const, points: [line.points[0] ?? 0, line.points.at(-1) ?? 0] })), patches: patches.map((patch) => ({ ...patch, type: "planar" as const })) }; // prettier-ignore
+  const plane = await measuredOf((await sewnOf(rounding(box))).features);
+  expect(plane.failures).toEqual([]);
+  expect(plane.volume).toBeCloseTo(1, 4);
+});
+
 /** A sphere of eight triangles between quarter circles. */
 function ball(): Project {
   const corners: Position[] = [
@@ -235,8 +320,25 @@ test("plane patches with rounded coordinates are sewn", async () => {
   expect(Math.abs(volume / (fine + (fine - coarse) / 3) - 1)).toBeLessThan(2e-3);
 }, 60_000);
 
-test("the smooth intake follows Hermite lines with more positions", async () => {
-  const { features, body } = await sewnOf(gallery("smooth-intake"));
+/** A drawing with a square of 1e5 x 1e5 beside it, far above. */
+function besideLarge({ points, lines, patches, ...rest }: Project): Project {
+  const [firstPoint, firstLine, id] = [points, lines, patches].map(
+    (list) => 1 + Math.max(...list.map((one) => one.id)),
+  ) as [number, number, number];
+  const at = (k: number): number => firstPoint + (k % 4);
+  return {
+    ...rest,
+    points: [...points, ...[0, 1, 3, 2].map((k, p) => ({ id: at(p), position: [1e5 * (k % 2), 1e5 * (k >> 1), 99] as const }))],
+    lines: [...lines, ...[0, 1, 2, 3].map((k) => ({ id: firstLine + k, ...straight(at(k), at(k + 1)) }))],
+    patches: [...patches, { id, type: "planar", loops: [[0, 1, 2, 3].map((k) => firstLine + k)] }],
+  }; // prettier-ignore
+}
+
+test("the smooth intake follows Hermite lines with more positions, also beside a large drawing", async () => {
+  const drawn = gallery("smooth-intake");
+  const [patch] = drawn.patches;
+  const selection = [{ kind: "patch" as const, id: patch?.id ?? 0 }];
+  const { features, body } = await sewnOf(besideLarge(drawn), selection);
   const [feature] = features;
   const grids =
     feature?.type === "sew" ? feature.faces.flatMap((face) => ("grid" in face ? [face] : [])) : [];

@@ -19,7 +19,7 @@ import { checkControl, checkImproveInput } from "./input-checks.js";
 import { checkAdaptOptions } from "./mesh-options.js";
 import { correctedNumber } from "./corrected-number.js";
 import type { Mesher } from "./mesher-interface.js";
-import { checkLayerOptions, checkLayers } from "./layers.js";
+import { checkLayerOptions, checkLayers, requirePatches } from "./layers.js";
 import type { CycleOptions, LayerOptions, SolutionSizeOptions } from "./option-types.js";
 import { checkAgainst, option, wholeWithin } from "./option-schema.js";
 import { completeVolume } from "./solution.js";
@@ -91,6 +91,7 @@ export async function* adaptationCycles(
   const whole = new WholeProgress(control);
   if (resume !== undefined) refuse(checkImproveInput(resume.mesh));
   const first = await firstMesh(mesher, model, whole.next(FIRST_SHARE / cycles));
+  if (options.layers !== undefined) requirePatches(first, options.layers);
   const { elementData } = resume?.mesh ?? {};
   let mesh = resume === undefined ? first : { ...completeVolume(resume.mesh), elementData };
   let start: readonly FieldValues[] = resume === undefined ? [] : fieldsOf(mesh);

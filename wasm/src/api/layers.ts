@@ -106,6 +106,11 @@ interface Wall {
   readonly layers: PatchLayers;
 }
 
+/** Throws a `MesherError` if a mesh has not all patches of the layers, or a name comes twice. */
+export function requirePatches(mesh: VolumeInput, layers: readonly PatchLayers[]): void {
+  wallsOf(mesh, layers);
+}
+
 /** Returns all patches with the names of the layers. Throws a `MesherError` if there is none with a name, or a name comes twice. */
 function wallsOf(mesh: VolumeInput, layers: readonly PatchLayers[]): Wall[] {
   const { triangles = new Uint32Array(), trianglePatch } = mesh;

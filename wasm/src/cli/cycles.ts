@@ -15,6 +15,7 @@ import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import { extensionOf, extensionsFor, formatOf } from "../formats/file-formats.js";
 import type { AdaptationCycle, Solution, SolveContext } from "../mesh/adaptation-cycle.js";
+import type { PatchLayers } from "../mesh/layered-mesh.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { CycleFolder, type CycleList, type CycleReport, hashOf } from "./cycle-folder.js";
 import { writeMeshTo } from "./convert.js";
@@ -125,6 +126,8 @@ interface Begin {
   readonly first: Mesh;
   /** The mesh to be solved next. */
   readonly mesh: Mesh;
+  /** Layers of patches that the mesh has. */
+  readonly layers: readonly PatchLayers[] | undefined;
   /** What is done. */
   readonly list: CycleList;
 }
@@ -153,12 +156,13 @@ class CycleRun {
     const file = this.#folder.file("mesh", 1, KEPT);
     if (known === undefined) {
       const first = await firstMesh();
+      const layers = this.#layersOn(first);
       const { solver } = options;
       const list: CycleList = { ...NO_CYCLES, model: path.basename(input), modelHash, solver };
       await this.#folder.create();
       await this.#keep(file, first);
       await this.#folder.write(list);
-      return { first, mesh: first, list };
+      return { first, mesh: first, layers, list };
     }
     const done = known.cycles.length;
     print(
@@ -167,7 +171,12 @@ class CycleRun {
     // Mesh files have no faces; the mesh of a CAD file is the same one again.
     const first = isCadInput(input, options.from) ? await firstMesh() : await readMeshFile(file);
     const mesh = done === 0 ? first : await readMeshFile(this.#folder.file("mesh", done + 1, KEPT));
-    return { first, mesh, list: known };
+    return { first, mesh, layers: this.#layersOn(first), list: known };
+  }
+
+  #layersOn(mesh: Mesh): readonly PatchLayers[] | undefined {
+    const { input, chosen } = this.#task;
+    return chosen.layers && layersOf(input, mesh, chosen.layers);
   }
 
   #continues(done: number): string {
@@ -175,8 +184,8 @@ class CycleRun {
   }
 
   async cycles(mesher: Mesher, begin: Begin, control: SignalControl): Promise<CycledMesh> {
-    const { input, chosen: given, isQuiet } = this.#task;
-    const chosen = { ...given, layers: given.layers && layersOf(input, begin.first, given.layers) };
+    const { isQuiet } = this.#task;
+    const chosen = { ...this.#task.chosen, layers: begin.layers };
     let { list, mesh } = begin;
     const { length: done } = list.cycles;
     const lines = () => tableLines(list.cycles, chosen.indicator);

@@ -13,6 +13,9 @@ interface FeatureView {
   readonly back: (position: Position) => Position;
 }
 
+/** Digits of a dragged position, of its largest part: motions keep about 15. */
+const digits = 12;
+
 /** Returns handles with the coordinates of a feature at their places in the view: later features and the placement of the solid move it. */
 export function handlesInView(
   handles: readonly OperationHandle[],
@@ -31,16 +34,18 @@ export function handlesInView(
       position: there(position),
       along: direction && unit(direction),
       rate: direction ? rate / length(direction) : rate,
-      valueAt: (at) => rounded(back(at)),
+      valueAt: (at) => rounded(back(at), at),
     };
   });
 }
 
-/** Without the rounding errors of motions, which a field would show. */
-const rounded = (position: Position): Position => {
-  const [x, y, z] = position.map((part) => Number(part.toPrecision(12)) + 0);
+/** Returns a position without the rounding errors of motions, which fields would show. `at`: the same position in the view. */
+function rounded(position: Position, at: Position): Position {
+  const size = Math.max(...[...position, ...at].map(Math.abs));
+  const step = size > 0 ? 10 ** (Math.ceil(Math.log10(size)) - digits) : 1;
+  const [x, y, z] = position.map((part) => Number((Math.round(part / step) * step).toPrecision(digits)) + 0);
   return [x ?? 0, y ?? 0, z ?? 0];
-};
+}
 
 /** Returns what moves a feature, in order. */
 function viewsAfter({ features, placement }: Solid, { id }: SolidFeature): FeatureView[] {

@@ -21,6 +21,7 @@ import {
   cross,
   distance,
   dot,
+  frameAlong,
   length,
   scale,
   subtract,
@@ -42,8 +43,9 @@ export type FoundFaces =
     }
   | { readonly reason: string };
 
-/** Rows and columns of positions per patch, tried one after the other. */
-const refinements = [24, 48, 96];
+/** Rows and columns of positions per patch, tried one after the other, and at last. */
+const refinements = [24, 48];
+const finest = 96;
 /** A face through positions is near its patch at this distance, as a part of the size of all; the kernel refuses the double. */
 const near = 5e-5;
 /** Lines of a plane patch may be this far from its plane, as a part of their size: half of what the kernel joins. */
@@ -88,18 +90,41 @@ export async function sampledFaces(
   for (const cells of refinements) {
     const samples = await maker.samplesOf(project, cells);
     const found = facesOn(project, patches, samples);
-    if ("reason" in found || cells === refinements.at(-1) || areNear(found.faces, samples)) return found;
+    if ("reason" in found || areNear(found.faces, sizeOf(project, patches, samples))) return found;
   }
-  return { reason: "" };
+  return facesOn(project, patches, await maker.samplesOf(project, finest));
 }
 
-/** Returns whether all faces through positions are near their patches. */
-function areNear(faces: readonly Typed<SewnFace>[], { patches }: DrawnSamples): boolean {
-  const { low, high } = boxOf(patches.points);
-  return faces.every((face) => {
+/** Returns whether all faces through positions are near their patches. `size`: of all. */
+const areNear = (faces: readonly Typed<SewnFace>[], size: number): boolean =>
+  faces.every((face) => {
     const rows = "grid" in face ? rowsOf(face) : undefined;
-    return rows === undefined || deviationOf(rows) <= near * distance(low, high);
+    return rows === undefined || deviationOf(rows) <= near * size;
   });
+
+/** Returns the diagonal of the box around patches. */
+function sizeOf(project: Project, patches: readonly ProjectPatch[], samples: DrawnSamples): number {
+  const corners = patches.flatMap((patch) => {
+    const { points } = shownOf(project, patch, samples);
+    const { low, high } = boxOf(points);
+    return points.length === 0 ? [] : [...low, ...high];
+  });
+  const { low, high } = boxOf(corners);
+  return distance(low, high);
+}
+
+/** Returns the points of a patch, x y z each, and its triangles. */
+function shownOf(project: Project, patch: ProjectPatch, { patches }: DrawnSamples) {
+  const index = project.patches.indexOf(patch);
+  const [from = 0, to = 0] = [patches.patchOffsets[index], patches.patchOffsets[index + 1]];
+  const nodes = patches.triangles.subarray(3 * from, 3 * to);
+  // The points of a patch follow each other.
+  const first = nodes.reduce((lowest, node) => Math.min(lowest, node), nodes[0] ?? 0);
+  const last = nodes.reduce((highest, node) => Math.max(highest, node), -1);
+  return {
+    points: patches.points.subarray(3 * first, 3 * (last + 1)),
+    triangles: nodes.map((node) => node - first),
+  };
 }
 
 function facesOn(project: Project, patches: readonly ProjectPatch[], samples: DrawnSamples): FoundFaces {
@@ -153,10 +178,16 @@ function planeFace(drawn: Drawn, patch: ProjectPatch): readonly SewnFace[] | str
   return [{ outer, ...(holes.length > 0 && { holes }) }];
 }
 
+/** Returns positions of curves: of a circle, the centre and the ends of two radii. */
+const positionsOf = (loop: readonly LoopCurve[]): readonly Position[] =>
+  loop.flatMap((curve): readonly Position[] => {
+    if ("points" in curve) return curve.points;
+    const { x, y } = frameAlong(curve.axis);
+    return [curve.center, ...[x, y].map((along) => addScaled(curve.center, along, curve.radius))];
+  });
+
 /** Returns loops moved into their plane: coordinates may be rounded. Null if they are farther from it than edges are joined. */
 function flattened(loops: readonly (readonly LoopCurve[])[]): readonly (readonly LoopCurve[])[] | null {
-  const positionsOf = (loop: readonly LoopCurve[]): readonly Position[] =>
-    loop.flatMap((curve): readonly Position[] => ("points" in curve ? curve.points : []));
   const positions = loops.flatMap(positionsOf);
   const [origin] = positions;
   const normal = unit(areaVector(positionsOf(loops[0] ?? [])));
@@ -166,7 +197,9 @@ function flattened(loops: readonly (readonly LoopCurve[])[]): readonly (readonly
   if (positions.some((position) => Math.abs(heightOf(position)) > flat * size)) return null;
   const moved = (position: Position): Position => addScaled(position, normal, -heightOf(position));
   const movedCurve = (curve: LoopCurve): LoopCurve =>
-    "points" in curve ? ({ ...curve, points: curve.points.map(moved) } as unknown as LoopCurve) : curve;
+    "points" in curve
+      ? ({ ...curve, points: curve.points.map(moved) } as unknown as LoopCurve)
+      : { ...curve, center: moved(curve.center), axis: signed(normal) };
   return loops.map((loop) => loop.map(movedCurve));
 }
 
@@ -210,9 +243,11 @@ function sidesOf(
 ): ReadonlyMap<number, readonly Position[]> {
   const found = new Map<number, readonly Position[]>();
   for (const patch of patches) {
-    if (patch.type === "planar" || patch.type === "tube" || patch.loops.length > 1) continue;
+    const hasHoles = patch.loops.length > 1 && patch.type !== "loft";
+    if (patch.type === "planar" || patch.type === "tube" || hasHoles) continue;
     const [grid] = gridsOf(project, patch, samples);
-    const rows = (grid && rowsOf(grid)) ?? [];
+    const rows = grid && rowsOf(grid);
+    if (!rows) continue;
     const along = (column: number): Position[] => rows.flatMap((row) => row.slice(column).slice(0, 1));
     const [bottom = [], top = []] = [rows[0], rows.at(-1)?.toReversed()];
     const isTriangle = patch.loops[0]?.length === 3;
@@ -293,19 +328,15 @@ function courseOf(project: Project, step: number) {
 }
 
 /** Returns the lattices of a patch, one after the other: a tube has several. */
-function gridsOf(project: Project, patch: ProjectPatch, { patches }: DrawnSamples): GridFace[] {
-  const index = project.patches.indexOf(patch);
-  const [from = 0, to = 0] = [patches.patchOffsets[index], patches.patchOffsets[index + 1]];
-  const nodes = patches.triangles.subarray(3 * from, 3 * to);
-  if (nodes.length === 0) return [];
-  const isTriangle = patch.type !== "tube" && patch.loops[0]?.length === 3;
-  const low = nodes.reduce((lowest, node) => Math.min(lowest, node));
-  const count = nodes.reduce((highest, node) => Math.max(highest, node)) - low + 1;
+function gridsOf(project: Project, patch: ProjectPatch, samples: DrawnSamples): GridFace[] {
+  const { points, triangles } = shownOf(project, patch, samples);
   // The third corner of the first triangle is the first position of the second row.
-  const perGrid = isTriangle ? count : ((nodes[2] ?? low) - low) ** 2;
-  return Array.from({ length: Math.floor(count / perGrid) }, (_, g) => {
-    const first = 3 * (low + g * perGrid);
-    const numbers = patches.points.slice(first, first + 3 * perGrid);
+  const [, , perRow] = triangles;
+  if (perRow === undefined) return [];
+  const isTriangle = patch.type !== "tube" && patch.loops[0]?.length === 3;
+  const perGrid = isTriangle ? points.length / 3 : perRow ** 2;
+  return Array.from({ length: Math.floor(points.length / (3 * perGrid)) }, (_, g) => {
+    const numbers = points.slice(3 * g * perGrid, 3 * (g + 1) * perGrid);
     return { grid: isTriangle ? "triangle" : "square", positions: base64Of(new Uint8Array(numbers.buffer)) };
   });
 }

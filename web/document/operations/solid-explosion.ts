@@ -4,6 +4,7 @@ import { operationStrings } from "../../strings";
 import type { Offer } from "../create";
 import { bodiesOf } from "../entities";
 import { insertion, mainEntities, withInsertion } from "../insert-shape";
+import { withHeirs } from "../patch-heirs";
 import type { Shape } from "../shape";
 import { faceLabel } from "./feature-names";
 import type { Operation } from "./operation";
@@ -71,27 +72,20 @@ function offered(project: Project, solid: Solid, { drawing, faces, failures }: D
   };
 }
 
-/** Returns the rest of a project without a solid: groups with its new patches, sizes painted on it as sources of their own. */
+/** Returns the rest of a project without a solid: groups and conditions with its new patches, sizes painted on it as sources of their own. */
 function othersOf(project: Project, { id }: ProjectBody, newPatches: ReadonlyMap<number, readonly number[]>) {
-  const { groups, background } = project;
-  const all = [...newPatches.values()].flat();
+  const { background, problem } = project;
+  const all = [...newPatches.keys()].map((patch) => ({ kind: "patch", id: patch }) as const);
   const membersOf = ({ members }: ProjectGroup): ProjectGroup["members"] =>
-    members.flatMap((member) => {
-      const instead =
-        member.kind === "patch"
-          ? newPatches.get(member.id)
-          : member.kind === "body" && member.id === id
-            ? all
-            : undefined;
-      return instead ? instead.map((patch) => ({ kind: "patch", id: patch }) as const) : [member];
-    });
+    members.flatMap((member) => (member.kind === "body" && member.id === id ? all : [member]));
+  const groups = project.groups?.map((group) => ({ ...group, members: membersOf(group) }));
   const sources = background.sources?.map(({ body, ...source }) =>
     body === undefined || body === id ? source : { ...source, body },
   );
   return {
     bodies: bodiesOf(project).filter((body) => body.id !== id),
     background: { ...background, ...(sources && { sources }) },
-    ...(groups && { groups: groups.map((group) => ({ ...group, members: membersOf(group) })) }),
+    ...withHeirs({ groups, problem }, newPatches),
   };
 }
 

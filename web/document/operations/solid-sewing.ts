@@ -1,6 +1,7 @@
 import type { Project, ProjectPatch } from "tetrafront/project";
 import { defaultName, operationStrings, stepNames } from "../../strings";
 import { connectedPatches } from "../booleans/solids";
+import { withHeirs } from "../patch-heirs";
 import type { Offer } from "../create";
 import { entityName, type Entity } from "../entities";
 import type { Operation } from "./operation";
@@ -37,8 +38,10 @@ export const sew: Operation<Values> = {
     const shared = lineOfThree(patches);
     if (shared !== undefined)
       return { possible: false, reason: texts.threePatches(lineName(project, shared)) } satisfies Offer;
-    const isPlain = arePlain(project, patches);
-    const found = isPlain ? plainFaces(project, patches) : await sampledFaces(project, patches, solids);
+    const plain = arePlain(project, patches) ? plainFaces(project, patches) : undefined;
+    const isPlain = plain !== undefined && !("reason" in plain);
+    // Coordinates of plane patches may be rounded.
+    const found = isPlain ? plain : await sampledFaces(project, patches, solids);
     if ("reason" in found) return { possible: false, reason: found.reason } satisfies Offer;
     const addition = { subject, solids, noun: texts.sewn.noun, use: values.makes };
     const { faces, looks, owners } = found;
@@ -47,7 +50,7 @@ export const sew: Operation<Values> = {
     if (values.keepProfile) return offer;
     const drawn = patches.map(({ id }): Entity => ({ kind: "patch", id }));
     const alone = withoutProfile(project, drawn, offer);
-    return values.makes === "new" ? withPatchIds(alone, owners) : alone;
+    return values.makes === "new" ? withPatchIds(project, alone, owners) : alone;
   },
 };
 
@@ -75,10 +78,10 @@ const lineName = (project: Project, id: number): string =>
   entityName(project, { kind: "line", id }) ?? defaultName("line", id);
 
 /**
- * Gives the faces of the new solid, which is the last body, the ids of the patches that they replace, so that groups, conditions and layers
- * stay. Of several faces of one patch, the first has its id.
+ * Gives the faces of the new solid, which is the last body, the ids of the patches that they replace, so that groups and conditions
+ * stay. Of several faces of one patch, the first has its id, and the others are in its groups and have its conditions.
  */
-function withPatchIds(offer: Offer, owners: readonly number[]): Offer {
+function withPatchIds(project: Project, offer: Offer, owners: readonly number[]): Offer {
   if (!offer.possible) return offer;
   const { creation } = offer;
   const { edit } = creation;
@@ -86,12 +89,17 @@ function withPatchIds(offer: Offer, owners: readonly number[]): Offer {
   const { bodies = [] } = edit.replace;
   const body = bodies.at(-1);
   if (!body) return offer;
+  const heirs = new Map<number, readonly number[]>();
   const patches = body.patches.map((patch) => {
     const face = Number(/^1\/face (\d+)$/.exec(patch.origin ?? "")?.[1]) - 1;
-    const id = owners[face];
-    return id !== undefined && owners.indexOf(id) === face ? { ...patch, id } : patch;
+    const owner = owners[face];
+    if (owner === undefined) return patch;
+    const id = owners.indexOf(owner) === face ? owner : patch.id;
+    heirs.set(owner, [...(heirs.get(owner) ?? []), id]);
+    return { ...patch, id };
   });
-  const replace = { ...edit.replace, bodies: [...bodies.slice(0, -1), { ...body, patches }] };
+  const others = withHeirs({ ...project, ...edit.replace }, heirs);
+  const replace = { ...edit.replace, ...others, bodies: [...bodies.slice(0, -1), { ...body, patches }] };
   return { ...offer, creation: { ...creation, edit: { ...edit, replace } } };
 }
 

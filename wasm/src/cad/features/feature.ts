@@ -55,8 +55,8 @@ interface Rotation {
 export type TurnedFace = { readonly curve: LoopCurve } & Rotation;
 
 /**
- * A smooth surface through positions on a patch, even in its parameters: as many rows as columns, or a triangle, each row of which
- * has one position less than the row before.
+ * A smooth surface through positions of a patch at equal steps of its parameters. A square has as many rows as columns; in a triangle, each
+ * row is one position shorter than the row before.
  */
 export interface GridFace {
   readonly grid: "square" | "triangle";

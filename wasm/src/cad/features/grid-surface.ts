@@ -5,7 +5,7 @@
 import type { Geom_BSplineCurve, Geom_BSplineSurface } from "replicad-opencascadejs";
 
 import { bytesOfBase64 } from "../../base/base64.js";
-import { lengthOf, minus, plus, scaled, type Vector } from "../../base/vectors.js";
+import { lengthOf, minus, plus, type Vector } from "../../base/vectors.js";
 import type { GridFace } from "./feature.js";
 import type { Session } from "./session.js";
 
@@ -66,26 +66,42 @@ const inverses = new Map<number, Matrix>();
 function polesOfPositions(count: number): Matrix {
   const known = inverses.get(count);
   if (known) return known;
-  const knots = knotsFor(count);
-  const made = inverseOf(
-    Array.from({ length: count }, (_, i) => basisAt(knots, degreeFor(count), i / (count - 1))),
-  );
+  const made = inverseOf(positionsOfPoles(count, count));
   inverses.set(count, made);
   return made;
 }
 
-const combination = (weights: readonly number[], positions: Row): Vector =>
-  positions.reduce<Vector>((sum, position, k) => plus(sum, scaled(position, weights[k] ?? 0)), [0, 0, 0]);
+function combination(weights: readonly number[], positions: Row): Vector {
+  let [x, y, z] = [0, 0, 0];
+  positions.forEach((position, k) => {
+    const weight = weights[k] ?? 0;
+    x += weight * position[0];
+    y += weight * position[1];
+    z += weight * position[2];
+  });
+  return [x, y, z];
+}
 
 const polesOf = (positions: Row): Vector[] =>
   polesOfPositions(positions.length).map((weights) => combination(weights, positions));
 
+const bases = new Map<string, Matrix>();
+
+/** Returns the matrix that makes `count` even positions on a spline of its poles. */
+function positionsOfPoles(poles: number, count: number): Matrix {
+  const key = `${poles} ${count}`;
+  const known = bases.get(key);
+  if (known) return known;
+  const knots = knotsFor(poles);
+  const made = Array.from({ length: count }, (_, i) => basisAt(knots, degreeFor(poles), i / (count - 1)));
+  bases.set(key, made);
+  return made;
+}
+
 /** Returns `count` even positions on the spline through a row. */
 function resampled(row: Row, count: number): Vector[] {
-  const [poles, knots] = [polesOf(row), knotsFor(row.length)];
-  return Array.from({ length: count }, (_, i) =>
-    combination(basisAt(knots, degreeFor(row.length), i / (count - 1)), poles),
-  );
+  const poles = polesOf(row);
+  return positionsOfPoles(row.length, count).map((weights) => combination(weights, poles));
 }
 
 const transposed = (rows: readonly Row[]): Vector[][] =>
@@ -95,8 +111,8 @@ const transposed = (rows: readonly Row[]): Vector[][] =>
 const choose = (x: number, k: number): number => (k === 0 ? 1 : (choose(x, k - 1) * (x - k + 1)) / k);
 
 /**
- * Returns the rows of a triangle as rows of equal length, the last of which is its apex. Row j of the triangle has j positions less
- * than the first. Short rows are taken from the polynomial through all positions near the apex.
+ * Returns the rows of a triangle as rows of equal length; all positions of the last one are the apex. In the triangle, each row is one
+ * position shorter than the one before. Short rows are taken from the polynomial through all positions near the apex.
  */
 function squareOf(triangle: readonly Row[]): Vector[][] {
   const count = triangle.length;
@@ -139,9 +155,11 @@ export function rowsOf({ grid, positions }: GridFace): Vector[][] | undefined {
 /**
  * Returns an upper estimate of the distance of the patch from the surface through its positions: a fourth of that from the
  * surface through every second one. The error of a spline with twice as many pieces is a fourth where curvatures jump, else less.
+ * Of an even number of positions, the last is left out.
  */
 export function deviationOf(rows: readonly Row[]): number {
-  const alongRow = (row: Row): number => {
+  const alongRow = (given: Row): number => {
+    const row = given.slice(0, given.length - ((given.length + 1) % 2));
     const between = resampled(
       row.filter((_, i) => i % 2 === 0),
       row.length,

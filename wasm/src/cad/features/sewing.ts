@@ -8,7 +8,10 @@ import { flatFace, frameOf, wireOf } from "./loops.js";
 import { named, type NamedSolid, soundShape } from "./named-solid.js";
 import { FeatureError, type Session, ShapeIndex } from "./session.js";
 
-/** Distance of curves that are one edge, as a part of the size of all faces: of exact ones, and where a face goes through positions. */
+/**
+ * Distances of curves that are one edge, as a part of the size of all faces: of exact ones, and where a face goes through positions or
+ * coordinates are rounded.
+ */
 const EXACT = 1e-9;
 const NEAR = 1e-5;
 /** A surface through positions may be this far from its patch, as a part of the size of all faces. */
@@ -29,11 +32,10 @@ export function sewn(session: Session, { id, faces, looks = [] }: FeatureOf<"sew
       `No surface follows ${far.join(", ")} closely enough.`,
       "Divide the patch where its lines bend.",
     );
-  const sewing = joined(
-    session,
-    made.map(({ face }) => face),
-    size * (made.some(({ deviation }) => deviation > 0) ? NEAR : EXACT),
-  );
+  const parts = made.map(({ face }) => face);
+  const hasGrids = faces.some((face) => "grid" in face);
+  const exact = hasGrids ? undefined : joined(session, parts, EXACT * size);
+  const sewing = exact?.NbFreeEdges() === 0 ? exact : joined(session, parts, NEAR * size);
   const after = made.map(({ face }) =>
     sewing.IsModified(face) ? session.hold(sewing.Modified(face)) : face,
   );
@@ -101,8 +103,7 @@ function smoothFace(session: Session, face: GridFace, label: string): MadeFace {
     new session.kernel.BRepBuilderAPI_MakeFace(surfaceThrough(session, rows), POINT * size),
   );
   if (!maker.IsDone()) throw new FeatureError(`OpenCascade finds no face through ${label}.`);
-  // A patch may be exact, but its edges are splines in any case.
-  return { face: session.hold(maker.Face()), deviation: Math.max(deviationOf(rows), Number.MIN_VALUE) };
+  return { face: session.hold(maker.Face()), deviation: deviationOf(rows) };
 }
 
 function joined(session: Session, faces: readonly TopoDS_Shape[], tolerance: number): BRepBuilderAPI_Sewing {
