@@ -14,7 +14,7 @@ export const WEIGHTS = { min: 400, max: 700 };
 const FEATURES = ["calt", "ccmp", "kern", "locl", "mark", "mkmk", "tnum"];
 
 /** The characters for which the styles use this file, as they state them (`unicode-range`), and the arrows of the lessons. */
-const RANGES = [
+export const RANGES = [
   [0x00, 0xff],
   [0x131, 0x131],
   [0x152, 0x153],

@@ -52,6 +52,8 @@ test("polynomials of the splines' degree do not deviate, and others the less, th
     expect(coarse).toBeGreaterThan(0);
     expect(fine).toBeLessThan(coarse / 10);
   }
+  // Of an even number of positions, too.
+  expect(largest(quintic, "square", 23)).toBeLessThan(1e-9);
   expect(largest(kinked, "square", 24)).toBeGreaterThan(1e-3);
   expect(largest(kinked, "square", 96)).toBeLessThan(largest(kinked, "square", 24) / 2);
 });

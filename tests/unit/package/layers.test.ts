@@ -1,10 +1,11 @@
 /** `addLayers` and `tetrafront adapt --layers`: heights, what is kept, errors. */
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 
 import { createMesher, type Mesh, type Mesher, type PatchLayers, readMesh, writeMesh } from "tetrafront";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";
+import { pinSolid, stepFile } from "../../support/step-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
@@ -112,12 +113,41 @@ test.each([
   await expect(mesher.addLayers(box, [{ ...LAYERS, ...change }])).rejects.toThrow(message);
 });
 
-test("layers of cycles are checked before the solver runs", async () => {
-  const cycles = mesher.adapt(box, () => Promise.reject(new Error("it ran")), {
-    layers: [{ ...LAYERS, firstHeight: 0 }],
-    elements: 100,
-  });
-  await expect(cycles.next()).rejects.toThrow(/first height of the layers of wall: cold is 0/);
+test.each([
+  [[{ ...LAYERS, firstHeight: 0 }], /first height of the layers of wall: cold is 0/],
+  [[{ ...LAYERS, patch: "roof" }], /no patch roof/],
+  [[LAYERS, LAYERS], /twice/],
+])("layers of cycles are checked before the solver runs (%#)", async (layers, message) => {
+  const solve = () => Promise.reject(new Error("it ran"));
+  const cycles = mesher.adapt(box, solve, { layers, elements: 100 });
+  await expect(cycles.next()).rejects.toThrow(message);
+});
+
+test.each([
+  [[], 1],
+  [["--units", "m"], 0.001],
+  [["--scale", "3"], 3],
+])("layers have the lengths of a CAD file that is read with %j", async (units, scale) => {
+  save("pin.step", stepFile([pinSolid("pin", [0, 0, 0], 5, 4)]));
+  const layers = ["--layers", `*:${0.1 * scale}:1.5:3`];
+  const made = await run(
+    "adapt",
+    "pin.step",
+    ...layers,
+    ...units,
+    "--cycles",
+    "3",
+    "-o",
+    "pin.vtu",
+    "--json",
+  );
+  expect(`${made.code} ${made.stderr}`).toMatch(/^0/);
+  const report = JSON.parse(made.stdout) as { layers: { meanFirstHeight: number; thickness: number }[] };
+  for (const { meanFirstHeight, thickness } of report.layers) {
+    expect(meanFirstHeight / scale).toBeGreaterThan(0.06);
+    expect(meanFirstHeight / scale).toBeLessThan(0.14);
+    expect(thickness / scale).toBeCloseTo(0.1 + 0.15 + 0.225, 9);
+  }
 });
 
 test("layers that come twice for a patch are refused", async () => {
@@ -158,4 +188,6 @@ test("the command names what is wrong with layers", async () => {
   const both = await run("adapt", "box.vtu", "--layers", "roof:0.1:1.2:3", ...withSolver, "-o", "made.vtu");
   expect(both.stderr).toMatch(/no patch roof/);
   expect(both.code).toBe(2);
+  // No folder is left that would refuse the corrected command.
+  expect(existsSync(inFolder("made-cycles"))).toBe(false);
 });

@@ -48,6 +48,7 @@ const withSolid = (solid: Solid): Project => ({
     { id: 1, name: "bolts", members: [{ kind: "patch", id: 6 }] },
     { id: 2, name: "all", members: [{ kind: "body", id: 1 }] },
   ],
+  problem: { kind: "heat", conditions: [{ patch: 6, kind: "value", value: 5 }] },
   background: {
     nodes: [],
     tetrahedra: [],
@@ -82,6 +83,7 @@ test("a placed solid becomes patches with its names, in its groups, in one step"
   expect(Math.max(...project.points.map(({ position }) => position[2]))).toBe(12);
   expect(project.groups?.[0]?.members).toEqual([{ kind: "patch", id: bore?.id }]);
   expect(project.groups?.[1]?.members).toHaveLength(2);
+  expect(project.problem?.conditions).toEqual([{ patch: bore?.id, kind: "value", value: 5 }]);
   expect(project.background.sources).toEqual([{ id: 1, type: "point", positions: [[2, 2, 12]], size: 0.1 }]);
   const read = readProject(JSON.stringify(project));
   expect(read.success ? [] : read.errors).toEqual([]);
