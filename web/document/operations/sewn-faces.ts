@@ -13,6 +13,7 @@ import { arcThrough, circleThrough, type CircularArc } from "../arcs";
 import { findRecord } from "../entities";
 import { linePositions } from "../line-samples";
 import type { Position } from "../position";
+import { nextTurn } from "../slices";
 import {
   add,
   addScaled,
@@ -90,17 +91,20 @@ export async function sampledFaces(
   for (const cells of refinements) {
     const samples = await maker.samplesOf(project, cells);
     const found = facesOn(project, patches, samples);
-    if ("reason" in found || areNear(found.faces, sizeOf(project, patches, samples))) return found;
+    if ("reason" in found || (await areNear(found.faces, sizeOf(project, patches, samples)))) return found;
   }
   return facesOn(project, patches, await maker.samplesOf(project, finest));
 }
 
-/** Returns whether all faces through positions are near their patches. `size`: of all. */
-const areNear = (faces: readonly Typed<SewnFace>[], size: number): boolean =>
-  faces.every((face) => {
+/** Returns whether all faces through positions are near their patches; the page can do other things between them. `size`: of all. */
+async function areNear(faces: readonly Typed<SewnFace>[], size: number): Promise<boolean> {
+  for (const face of faces) {
     const rows = "grid" in face ? rowsOf(face) : undefined;
-    return rows === undefined || deviationOf(rows) <= near * size;
-  });
+    if (rows !== undefined && deviationOf(rows) > near * size) return false;
+    await nextTurn();
+  }
+  return true;
+}
 
 /** Returns the diagonal of the box around patches. */
 function sizeOf(project: Project, patches: readonly ProjectPatch[], samples: DrawnSamples): number {
