@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -63,6 +64,14 @@ double farthestFromFaces(const TrimmedSolid& solid, const MeshAdaptation& made) 
         std::max(farthest, solid.distances[made.trianglePatch[c / 3]](Vec3(at[0], at[1], at[2])));
   }
   return farthest;
+}
+
+/// Least and largest z.
+std::array<double, 2> heightsOf(const std::vector<double>& points) {
+  std::array<double, 2> ends{points[2], points[2]};
+  for (std::size_t i = 2; i < points.size(); i += 3)
+    ends = {std::min(ends[0], points[i]), std::max(ends[1], points[i])};
+  return ends;
 }
 
 double volumeOf(const MeshAdaptation& made) {
@@ -229,6 +238,44 @@ TEST(AdaptModel, HasLayersAlongACurvedFace) {
   EXPECT_GT(made.adaptation.after.leastQuality, 0.3);
   EXPECT_NEAR(made.walls[0].meanFirstHeight, wall.firstHeight, 0.25 * wall.firstHeight);
   EXPECT_NEAR(volumeOf(made.adaptation), solid.volume, 0.002 * solid.volume);
+}
+
+/// Triangles with two nodes at one height of the wall and a third one beside them tilt much if they are low.
+TEST(AdaptModel, HasTheAreaOfAWallWhereElementsAreThinAlongIt) {
+  constexpr double kRadius = 0.5;
+  constexpr double kWide = 0.1;
+  const TrimmedSolid solid = trimmedCylinder(kRadius, 0.5);
+  const AdaptInput given = meshedSolid(solid);
+  MeshAdaptation made;
+  made.points = given.points;
+  made.tetrahedra = given.tetrahedra;
+  const auto [low, high] = heightsOf(made.points);
+  for (int cycle = 0; cycle < 2; ++cycle) {
+    MetricMesh background{made.points, made.tetrahedra, {}};
+    for (std::size_t i = 0; i < made.points.size(); i += 3) {
+      const double off = std::fabs(made.points[i + 2] - 0.5 * (low + high));
+      const double thin = std::min(kWide, 0.003 + 0.4 * off);
+      constexpr double kAlong = 1.0 / (kWide * kWide);
+      background.metrics.insert(background.metrics.end(),
+                                {kAlong, 0.0, 0.0, kAlong, 0.0, 1.0 / (thin * thin)});
+    }
+    made = adaptedOnModel(given, background);
+    ASSERT_TRUE(made.diagnostics.empty());
+  }
+  double area = 0.0;
+  for (std::size_t t = 0; t < made.triangles.size(); t += 3) {
+    std::array<Vec3, 3> at{};
+    bool isAtEnd = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Position p = positionOf(made.points, made.triangles[t + k]);
+      at[k] = Vec3(p[0], p[1], p[2]);
+      isAtEnd = isAtEnd && (p[2] == low || p[2] == high);
+    }
+    if (!isAtEnd) area += 0.5 * glm::length(glm::cross(at[1] - at[0], at[2] - at[0]));
+  }
+  const double exact = 2.0 * std::numbers::pi * kRadius * (high - low);
+  EXPECT_GT(made.after.unitEdges, 0.99);
+  EXPECT_NEAR(area, exact, 0.002 * exact);
 }
 
 TEST(AdaptModel, DoesNotDependOnTheSlices) {

@@ -12,9 +12,6 @@
 namespace tetrafront {
 namespace {
 
-/// Smallest cosine between a triangle and the patch that it approximates: beyond, triangles tilt against a curved patch.
-constexpr double kFacingCosine = 0.75;
-
 bool contains(std::span<const std::uint32_t> values, std::uint32_t value) {
   return std::ranges::find(values, value) != values.end();
 }
@@ -278,16 +275,16 @@ bool BoundaryGuide::follow(Place& place, Vec3& position) const {
   return line.isClosed() || (place.arc > 0.0 && place.arc < line.length());
 }
 
-bool BoundaryGuide::isFacing(const std::array<Vec3, 3>& corners, SmoothPatchId patch,
-                             TriangleId hint) const {
+double BoundaryGuide::cosineToPatch(const std::array<Vec3, 3>& corners, SmoothPatchId patch,
+                                    TriangleId hint) const {
   const auto& [a, b, c] = corners;
   const Vec3 normal = glm::cross(b - a, c - a);
   const SmoothPatch& smooth = reference_.patch(patch);
-  if (smooth.isPlanar) return glm::dot(normal, smooth.normal) > 0.0;
+  if (smooth.isPlanar) return glm::dot(normal, smooth.normal) > 0.0 ? 1.0 : -1.0;
   const Vec3 centre = (a + b + c) / 3.0;
   const NearestPoint found = reference_.nearest(centre, patch, reference_.diagonal(), hint);
   const TriangleId t = found.triangle;
-  if (t.isNone()) return false;
+  if (t.isNone()) return -1.0;
   const auto [p, q, r] = cornersOf(reference_.mesh(), t);
   const Vec3& own = reference_.normalOf(t);
   const Vec3& at = found.position;
@@ -298,9 +295,8 @@ bool BoundaryGuide::isFacing(const std::array<Vec3, 3>& corners, SmoothPatchId p
   const Vec3 wanted = weight(q, r) * glm::normalize(normals[0]) +
                       weight(r, p) * glm::normalize(normals[1]) +
                       weight(p, q) * glm::normalize(normals[2]);
-  const double along = glm::dot(normal, wanted);
-  return along > 0.0 && along * along >= kFacingCosine * kFacingCosine * glm::dot(normal, normal) *
-                                             glm::dot(wanted, wanted);
+  const double scale = glm::length(normal) * glm::length(wanted);
+  return scale > 0.0 ? glm::dot(normal, wanted) / scale : -1.0;
 }
 
 }  // namespace tetrafront

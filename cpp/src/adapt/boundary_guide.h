@@ -12,6 +12,9 @@
 
 namespace tetrafront {
 
+/// Smallest cosine between a triangle and the patch that it approximates: beyond, triangles tilt against a curved patch.
+inline constexpr double kFacingCosine = 0.75;
+
 class BoundaryGuide {
  public:
   /// `reference` must be prepared and outlive this. `isFixed`: per node of its mesh, 1 if it stays; or empty. `truth`: what the
@@ -40,10 +43,15 @@ class BoundaryGuide {
   /// Moves a place and a position to the nearest ones of its patch or line. Returns false if the node would leave it.
   [[nodiscard]] bool follow(Place& place, Vec3& position) const;
 
-  /// Returns whether the triangle, counter-clockwise as seen from outside, faces as its patch does. `hint`: a triangle of the patch
-  /// near it, or none.
+  /// Returns the cosine between the triangle, counter-clockwise as seen from outside, and its patch; 1 on a plane patch that it
+  /// does not face away from. `hint`: a triangle of the patch near it, or none.
+  [[nodiscard]] double cosineToPatch(const std::array<Vec3, 3>& corners, SmoothPatchId patch,
+                                     TriangleId hint) const;
+  /// Returns whether a triangle faces as its patch does.
   [[nodiscard]] bool isFacing(const std::array<Vec3, 3>& corners, SmoothPatchId patch,
-                              TriangleId hint) const;
+                              TriangleId hint) const {
+    return cosineToPatch(corners, patch, hint) >= kFacingCosine;
+  }
 
   [[nodiscard]] const ReferenceSurface& reference() const { return reference_; }
 

@@ -55,22 +55,25 @@ double NodeMover::badnessAround(NodeId node, double limit) {
   return sum;
 }
 
-/// Returns whether the triangles of the boundary around the node face as their patches do.
-bool NodeMover::facesWell() const {
+/// Returns the cost of the tilt of the triangles of the boundary around the node against their patches.
+double NodeMover::tiltCost() const {
   const AdaptMesh& mesh = context_.mesh;
-  if (!given_.place.isOnBoundary()) return true;
+  if (!given_.place.isOnBoundary()) return 0.0;
+  double sum = 0.0;
   for (const TetId id : ball_) {
     const AdaptElement& element = mesh.element(id);
     for (std::size_t k = 0; k < 4; ++k) {
       if (element.nodes[k] == node_ || !element.beyond[k].isPatch()) continue;
       const auto& [a, b, c] = kFaceCorners[k];
-      if (!context_.guide.isFacing({mesh.point(element.nodes[a]), mesh.point(element.nodes[b]),
-                                    mesh.point(element.nodes[c])},
-                                   element.beyond[k].patch(), mesh.node(node_).place.near))
-        return false;
+      const double cosine =
+          context_.guide.cosineToPatch({mesh.point(element.nodes[a]), mesh.point(element.nodes[b]),
+                                        mesh.point(element.nodes[c])},
+                                       element.beyond[k].patch(), mesh.node(node_).place.near);
+      if (cosine < kFacingCosine) return kForbidden;
+      sum += Badness::pullOfTilt(cosine);
     }
   }
-  return true;
+  return sum;
 }
 
 /// Tries a position; keeps it as the best if the badness falls.
@@ -80,8 +83,11 @@ bool NodeMover::attempt(const Vec3& position) {
   node.place = best_.place;
   if (!context_.guide.follow(node.place, node.point)) return false;
   context_.measure(node);
-  const double sum = badnessAround(node_, least_);
-  if (sum >= least_ - kAttemptGain || !facesWell()) return false;
+  double sum = badnessAround(node_, least_);
+  if (sum >= least_ - kAttemptGain) return false;
+  const double tilt = tiltCost();
+  sum += tilt;
+  if (tilt >= kForbidden || sum >= least_ - kAttemptGain) return false;
   least_ = sum;
   best_ = node;
   bestQualities_.swap(qualities_);
@@ -153,7 +159,7 @@ bool NodeMover::move(NodeId node, MoveEffort effort, AdaptRandom& random) {
   collect(node);
   given_ = own;
   best_ = own;
-  least_ = badnessAround(node, std::numeric_limits<double>::max());
+  least_ = badnessAround(node, std::numeric_limits<double>::max()) + tiltCost();
   bestQualities_ = qualities_;
   const double before = least_;
   approach(unitEdgeTarget());

@@ -25,7 +25,7 @@ class NodeMover {
  private:
   void collect(NodeId node);
   [[nodiscard]] double badnessAround(NodeId node, double limit);
-  [[nodiscard]] bool facesWell() const;
+  [[nodiscard]] double tiltCost() const;
   bool attempt(const Vec3& position);
   void approach(const Vec3& target);
   [[nodiscard]] Vec3 unitEdgeTarget() const;
